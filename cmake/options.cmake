@@ -1,0 +1,17 @@
+# How everything of ours is compiled: the target fos_options.
+option(FOS_WERROR "Treat warnings as errors (our CI does; a student's compiler may be newer)" OFF)
+option(FOS_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
+option(FOS_FUZZ "The fuzzer of the scene reader (clang++ only)" OFF)
+
+add_library(fos_options INTERFACE)
+target_compile_features(fos_options INTERFACE cxx_std_20)
+target_compile_options(fos_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+  -fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=)  # labs/… in messages, wherever the tree lies
+if(FOS_WERROR)
+  target_compile_options(fos_options INTERFACE -Werror)
+endif()
+if(FOS_SANITIZE)
+  target_compile_options(fos_options INTERFACE -fsanitize=address,undefined
+    -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(fos_options INTERFACE -fsanitize=address,undefined)
+endif()

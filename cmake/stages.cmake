@@ -1,0 +1,102 @@
+# Reads labs/stages.json, THE list of lectures and stages. Sets
+#   FOS_STAGES                      the stages up to FOS_LECTURE, in order
+#   FOS_STAGE_<id>_{LECTURE,FILE,SCENES}
+#   FOS_LECTURES, FOS_GIVEN_<n>     what earlier lectures give to the stages of lecture n
+# and writes what C++ (fos/stages.inc) and bash (stages.sh) need of it.
+
+set(_file "${CMAKE_SOURCE_DIR}/labs/stages.json")
+set_property(DIRECTORY "${CMAKE_SOURCE_DIR}" APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${_file}")
+file(READ "${_file}" _json)
+
+# The elements of an array as a list.
+function(fos_json_array out)
+  set(_list "")
+  string(JSON _count LENGTH "${_json}" ${ARGN})
+  if(_count GREATER 0)
+    math(EXPR _last "${_count} - 1")
+    foreach(_i RANGE ${_last})
+      string(JSON _element GET "${_json}" ${ARGN} ${_i})
+      list(APPEND _list "${_element}")
+    endforeach()
+  endif()
+  set(${out} "${_list}" PARENT_SCOPE)
+endfunction()
+
+set(FOS_LECTURES "")
+set(_given "")
+string(JSON _count LENGTH "${_json}" lectures)
+math(EXPR _last "${_count} - 1")
+foreach(_i RANGE ${_last})
+  string(JSON _number GET "${_json}" lectures ${_i} number)
+  list(APPEND FOS_LECTURES ${_number})
+  set(FOS_GIVEN_${_number} "${_given}")
+  string(JSON _gives ERROR_VARIABLE _none GET "${_json}" lectures ${_i} gives)
+  if(NOT _none)
+    list(APPEND _given "${_gives}")
+  endif()
+endforeach()
+
+list(GET FOS_LECTURES -1 _newest)
+set(FOS_LECTURE "${_newest}" CACHE STRING "build the stages up to this lecture")
+math(EXPR _lecture "${FOS_LECTURE}" OUTPUT_FORMAT DECIMAL)  # 03 is 3
+if(NOT _lecture IN_LIST FOS_LECTURES)
+  message(FATAL_ERROR "FOS_LECTURE is ${FOS_LECTURE}; labs/stages.json has: ${FOS_LECTURES}")
+endif()
+
+set(FOS_STAGES "")
+set(_cpp "")
+set(_rows "")
+set(_bash_lectures "")
+set(_bash_files "")
+string(JSON _count LENGTH "${_json}" stages)
+math(EXPR _last "${_count} - 1")
+foreach(_i RANGE ${_last})
+  string(JSON _id GET "${_json}" stages ${_i} id)
+  string(JSON _number GET "${_json}" stages ${_i} lecture)
+  string(JSON _en GET "${_json}" stages ${_i} name en)
+  string(JSON _el GET "${_json}" stages ${_i} name el)
+  string(JSON _points GET "${_json}" stages ${_i} points)
+  fos_json_array(_terms stages ${_i} terms)
+  fos_json_array(_scenes stages ${_i} scenes)
+  if(_number GREATER _lecture)
+    continue()
+  endif()
+  if(NOT _id MATCHES "^[a-z][a-z_0-9]*$" OR NOT _scenes)
+    message(FATAL_ERROR "labs/stages.json: stage '${_id}' needs a lower-case id and scenes")
+  endif()
+
+  set(_folder "${_number}")
+  if(_number LESS 10)
+    set(_folder "0${_number}")
+  endif()
+  list(APPEND FOS_STAGES ${_id})
+  set(FOS_STAGE_${_id}_LECTURE ${_number})
+  set(FOS_STAGE_${_id}_FILE "lecture${_folder}/${_id}.cpp")
+  set(FOS_STAGE_${_id}_SCENES "${_scenes}")
+
+  list(TRANSFORM _terms REPLACE "(.+)" "\\1_term")
+  list(JOIN _terms " | " _bits)
+  list(TRANSFORM _scenes REPLACE "(.+)" "\"\\1\"")
+  list(JOIN _scenes ", " _scenes)
+  string(APPEND _cpp "inline constexpr std::string_view scenes_of_${_id}[] = {${_scenes}};\n")
+  string(APPEND _rows "    {\"${_id}\", ${_number}, {\"${_en}\", \"${_el}\"}, 0${_bits}, "
+                      "${_points}, scenes_of_${_id}},\n")
+  string(APPEND _bash_lectures " [${_id}]=${_number}")
+  string(APPEND _bash_files " [${_id}]=${FOS_STAGE_${_id}_FILE}")
+endforeach()
+string(REGEX REPLACE "0([a-z])" "\\1" _rows "${_rows}")
+
+file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/generated/fos/stages.inc" @ONLY CONTENT
+"// Made from labs/stages.json.
+namespace fos {
+@_cpp@inline constexpr Stage stages[] = {
+@_rows@};
+}  // namespace fos
+")
+list(JOIN FOS_STAGES " " _bash_stages)
+file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/stages.sh" @ONLY CONTENT
+"# Made from labs/stages.json.
+FOS_STAGES=(@_bash_stages@)
+declare -A FOS_STAGE_LECTURE=(@_bash_lectures@ )
+declare -A FOS_STAGE_FILE=(@_bash_files@ )
+")

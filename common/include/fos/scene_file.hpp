@@ -1,0 +1,32 @@
+// The second step of reading a scene: the exact decimals become Reals, or are refused.
+#pragma once
+
+#include "fos/render.hpp"
+#include "fos/scene.hpp"
+#include "fos/scene_text.hpp"
+
+namespace fos {
+
+struct SceneFile {
+  Scene scene;
+  View view;
+};
+
+/// Each number rounded to the nearest Real; directions first rescaled by a power of two so that
+/// their largest component lies in [1/2, 1), which changes nothing else.
+///
+/// Throws SceneError, with the number, the limit and what to write instead, for a scene that Real
+/// cannot carry through the slides' formulas. With S the distance of a sphere plus its radius r,
+/// D the longest ray, d the projection plane, ε and min and max the type's:
+///   b² and 4ac stay finite             2 (2 S |D|)² <= max,  4 S <= max d
+///   a, r² and 4 a r² keep their digits  d², r², 4 d² r² >= min / ε
+///   P is never the centre, so |N| > 0  r >= 4 √ε |OC|,  r >= 16 ε (|O| + |C|)
+///   |L|² stays finite                  4 (|position| + farthest P)² <= max
+///   |L|² is 0 only when L is           (ε g / 2)² >= min, g the smallest number but 0 among the
+///                                      coordinates of camera and lights and the steps of the
+///                                      canvas
+///   I ⟨N,L⟩ and color × I stay finite  2 I max(1, r) |L| <= max,  1024 ΣI <= max
+/// They hold for N normalised or not. Derived in docs/en/numerics.md.
+SceneFile to_scene(const SceneText& text);
+
+}  // namespace fos

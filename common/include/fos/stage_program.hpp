@@ -1,0 +1,67 @@
+// A stage program, asked from outside. Its exit status, text and files prove nothing; only a whole
+// frame counts, and a crash or an endless loop is an answer too.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+
+#include "fos/frame.hpp"
+#include "fos/request.hpp"
+
+namespace fos {
+
+/// How an answer ended.
+enum class Ending {
+  complete,       ///< the whole frame came
+  refused,        ///< the program exited with status 2 before a frame: it could not carry the scene
+  crashed,        ///< killed by a signal: `detail`
+  timed_out,      ///< over its limits
+  exited,         ///< exited in mid-frame, with status `detail`
+  malformed,      ///< what came is not a frame of the size asked for
+  did_not_start,  ///< errno in `detail`: infrastructure, not the stage's fault
+};
+
+struct Answer {
+  Ending ending = Ending::complete;
+  int detail = 0;
+  FrameHeader header;
+  int rows = 0;  ///< whole rows received, from the top
+};
+
+struct Limits {
+  std::chrono::milliseconds wall{0};  ///< for one answer; 0 for none
+  int cpu_seconds = 0;                ///< for the program's whole life; 0 for none
+};
+
+using HeaderSink = std::function<void(const FrameHeader&)>;
+using ReceivedRow = std::function<void(int row, const Row&)>;
+
+/// One running program. It is started at the first question, asked any number of scenes, and killed
+/// at the end or when an answer is not complete (the next question starts a new one).
+class StageProgram {
+ public:
+  explicit StageProgram(std::filesystem::path program, Limits limits = {});
+  ~StageProgram();
+  StageProgram(const StageProgram&) = delete;
+  StageProgram& operator=(const StageProgram&) = delete;
+
+  /// Asks for a frame; hands its header and each row on as they come. What the sinks throw passes
+  /// through.
+  Answer ask(const Request& request, const HeaderSink& on_header, const ReceivedRow& on_row);
+
+  /// The same, kept in memory: as much of the frame as came.
+  Answer ask(const Request& request, Frame& frame);
+
+ private:
+  bool start();
+  int stop();  ///< kills and reaps; the wait status
+
+  std::filesystem::path program_;
+  Limits limits_;
+  int process_ = -1;
+  int requests_ = -1;  // a socket: the program's standard input
+  int frames_ = -1;    // a pipe from the program's descriptor 3
+};
+
+}  // namespace fos

@@ -1,0 +1,174 @@
+#include "fos/picture.hpp"
+
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "fos/whole_file.hpp"
+#include "picture_target.hpp"
+
+namespace fos {
+namespace {
+
+const char* oiio_name(PictureFormat format) {
+  switch (format) {
+    case PictureFormat::png:
+      return "png";
+    case PictureFormat::exr:
+      return "openexr";
+    case PictureFormat::tiff:
+      return "tiff";
+    case PictureFormat::pfm:
+      break;
+  }
+  return nullptr;
+}
+
+OIIO::TypeDesc pixel_type(PictureFormat format, Precision precision) {
+  if (format == PictureFormat::png) return OIIO::TypeDesc::UINT8;
+  const bool as_double = format == PictureFormat::tiff && precision != Precision::binary32;
+  return as_double ? OIIO::TypeDesc::DOUBLE : OIIO::TypeDesc::FLOAT;
+}
+
+/// PNG, EXR or TIFF through OpenImageIO, a scanline at a time.
+class Oiio : public PictureWriter::Target {
+ public:
+  Oiio(const std::filesystem::path& path, PictureFormat format, const FrameHeader& header,
+       const PictureInfo& info)
+      : file_(path), out_(OIIO::ImageOutput::create(oiio_name(format))) {
+    if (!out_) throw file_.write_error(OIIO::geterror());
+    OIIO::ImageSpec spec(header.width, header.height, 3, pixel_type(format, header.precision));
+    type_ = spec.format;
+    if (format != PictureFormat::png) {
+      spec.attribute("compression", "zip");
+      spec.attribute("Software", "Fos");
+      spec.attribute("ImageDescription", info.command + "\n\n" + info.scene_text);
+    }
+    require(out_->open(file_.temporary().string(), spec));
+  }
+
+  void write(int row, const std::vector<long double>& colors) override {
+    if (type_ == OIIO::TypeDesc::UINT8) {
+      std::vector<std::uint8_t> bytes(colors.size());
+      std::transform(colors.begin(), colors.end(), bytes.begin(), to_byte);
+      require(out_->write_scanline(row, 0, type_, bytes.data()));
+    } else {
+      std::vector<double> linear(colors.size());
+      std::transform(colors.begin(), colors.end(), linear.begin(),
+                     [](long double channel) { return static_cast<double>(channel / 255); });
+      require(out_->write_scanline(row, 0, OIIO::TypeDesc::DOUBLE, linear.data()));
+    }
+  }
+
+  void finish() override {
+    require(out_->close());
+    file_.commit();
+  }
+
+ private:
+  void require(bool done) const {
+    if (!done) throw file_.write_error(out_->geterror());
+  }
+
+  WholeFile file_;
+  std::unique_ptr<OIIO::ImageOutput> out_;
+  OIIO::TypeDesc type_;
+};
+
+std::vector<long double> shown_row(int row, const Row& pixels) {
+  std::vector<long double> colors(pixels.channels.size());
+  for (std::size_t i = 0; i < pixels.unwritten.size(); ++i) {
+    const auto color = shown(std::span<const long double, 3>(&pixels.channels[3 * i], 3),
+                             pixels.unwritten[i] != 0, static_cast<int>(i), row);
+    std::copy(color.begin(), color.end(), colors.begin() + static_cast<std::ptrdiff_t>(3 * i));
+  }
+  return colors;
+}
+
+/// `bitmap` scaled to fit a square, by OpenImageIO's own choice of filter.
+OIIO::ImageBuf fitted(const Bitmap& bitmap, int size) {
+  // OpenImageIO takes the pixels as not const, but only reads them.
+  const OIIO::ImageBuf whole(OIIO::ImageSpec(bitmap.width, bitmap.height, 3, OIIO::TypeDesc::UINT8),
+                             const_cast<std::uint8_t*>(bitmap.rgb.data()));
+  const int longest = std::max(bitmap.width, bitmap.height);
+  if (longest == size) return OIIO::ImageBufAlgo::copy(whole);
+  const auto scaled = [&](int side) {
+    return std::max(1, static_cast<int>(static_cast<long>(side) * size / longest));
+  };
+  const OIIO::ROI roi(0, scaled(bitmap.width), 0, scaled(bitmap.height), 0, 1, 0, 3);
+  // A small picture is enlarged pixel by pixel, so that each can be seen.
+  return longest < size ? OIIO::ImageBufAlgo::resize(whole, "box", 1.0F, roi)
+                        : OIIO::ImageBufAlgo::resize(whole, "", 0.0F, roi);
+}
+
+}  // namespace
+
+std::optional<PictureFormat> picture_format(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".png") return PictureFormat::png;
+  if (extension == ".exr") return PictureFormat::exr;
+  if (extension == ".tif" || extension == ".tiff") return PictureFormat::tiff;
+  if (extension == ".pfm") return PictureFormat::pfm;
+  return std::nullopt;
+}
+
+PictureWriter::PictureWriter(const std::filesystem::path& path, const FrameHeader& header,
+                             const PictureInfo& info)
+    : header_(header) {
+  const PictureFormat format = picture_format(path).value_or(PictureFormat::png);
+  if (format == PictureFormat::pfm) {
+    target_ = make_pfm(path, header);
+  } else {
+    target_ = std::make_unique<Oiio>(path, format, header, info);
+  }
+}
+
+PictureWriter::~PictureWriter() = default;
+
+void PictureWriter::write(const Row& row) {
+  target_->write(row_, shown_row(row_, row));
+  ++row_;
+}
+
+void PictureWriter::finish() { target_->finish(); }
+
+void write_sheet(const std::filesystem::path& path, const std::vector<Panel>& panels, int columns,
+                 int panel_size) {
+  const int gap = std::max(4, panel_size / 25);
+  const int font_size = std::max(11, panel_size / 16);
+  const int cell_width = panel_size + gap;
+  const int cell_height = panel_size + 2 * font_size + gap;
+  const int count = static_cast<int>(panels.size());
+  const int rows = (count + columns - 1) / columns;
+  OIIO::ImageBuf sheet(OIIO::ImageSpec(std::min(count, columns) * cell_width + gap,
+                                       rows * cell_height + gap, 3, OIIO::TypeDesc::UINT8));
+  const float paper[] = {0.96F, 0.96F, 0.96F};
+  const float ink[] = {0.1F, 0.1F, 0.1F};
+  OIIO::ImageBufAlgo::fill(sheet, paper);
+  for (int i = 0; i < count; ++i) {
+    const Panel& panel = panels[static_cast<std::size_t>(i)];
+    const int left = gap + i % columns * cell_width;
+    const int top = gap + i / columns * cell_height;
+    const OIIO::ImageBuf picture = fitted(panel.bitmap, panel_size);
+    OIIO::ImageBufAlgo::paste(sheet, left + (panel_size - picture.spec().width) / 2,
+                              top + (panel_size - picture.spec().height) / 2, 0, 0, picture);
+    // Without the font the sheet is still worth having, so a label that cannot be drawn is left
+    // out.
+    OIIO::ImageBufAlgo::render_text(sheet, left + panel_size / 2, top + panel_size + font_size / 2,
+                                    panel.label, font_size, "DejaVuSans", ink,
+                                    OIIO::ImageBufAlgo::TextAlignX::Center,
+                                    OIIO::ImageBufAlgo::TextAlignY::Top);
+  }
+  WholeFile file(path);
+  if (!sheet.write(file.temporary().string(), OIIO::TypeUnknown, "png")) {
+    throw file.write_error(sheet.geterror());
+  }
+  file.commit();
+}
+
+}  // namespace fos

@@ -1,0 +1,34 @@
+#include "fos/render.hpp"
+
+#include <vector>
+
+#include "fos/stage.hpp"
+#include "unwritten.hpp"
+
+namespace fos {
+
+Vec3 canvas_to_viewport(const View& view, int column, int row) {
+  const Real W = static_cast<Real>(view.canvas_width);
+  const Real H = static_cast<Real>(view.canvas_height);
+  const Real x = static_cast<Real>(column) - W / 2;
+  const Real y = H / 2 - 1 - static_cast<Real>(row);
+  return {x * view.viewport_width / W, y * view.viewport_height / H, view.projection_plane_d};
+}
+
+void render(const Scene& scene, const View& view, const RowSink& sink) {
+  const auto width = static_cast<std::size_t>(view.canvas_width);
+  std::vector<Color> colors(width);
+  std::vector<std::uint8_t> unwritten(width);
+  take_unwritten();
+  for (int row = 0; row < view.canvas_height; ++row) {
+    for (int column = 0; column < view.canvas_width; ++column) {
+      const auto i = static_cast<std::size_t>(column);
+      const Vec3 D = canvas_to_viewport(view, column, row);
+      colors[i] = trace_ray(view.camera_position, D, 1, infinity, scene);
+      unwritten[i] = take_unwritten() ? 1 : 0;
+    }
+    sink(colors, unwritten);
+  }
+}
+
+}  // namespace fos

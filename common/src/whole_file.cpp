@@ -1,0 +1,80 @@
+#include "fos/whole_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <system_error>
+
+#include "fos/text.hpp"
+
+namespace fos {
+namespace {
+
+std::string reason(int error) { return std::generic_category().message(error); }
+
+// What a signal handler may touch: plain memory. Empty when there is nothing to remove.
+std::array<char, 4096> pending{};
+
+void remove_pending(int signal) {
+  if (pending[0] != '\0') unlink(pending.data());
+  std::signal(signal, SIG_DFL);
+  raise(signal);
+}
+
+void set_pending(const std::string& path) {
+  if (path.size() >= pending.size()) {
+    throw FileError(2, say(text::tool_cannot_write, {path, reason(ENAMETOOLONG)}));
+  }
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    // A signal that is ignored (nohup) stays ignored.
+    if (std::signal(signal, remove_pending) == SIG_IGN) std::signal(signal, SIG_IGN);
+  }
+  // The first byte last, so that the handler never sees half a name.
+  std::memcpy(pending.data() + 1, path.c_str() + 1, path.size());
+  pending[0] = path[0];
+}
+
+}  // namespace
+
+WholeFile::WholeFile(std::filesystem::path destination) : destination_(std::move(destination)) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(destination_, ignored)) {
+    throw FileError(2, say(text::tool_cannot_write, {destination_.string(), reason(EISDIR)}));
+  }
+  const std::filesystem::path folder = destination_.parent_path();
+  const std::string name =
+      fmt::format(".{}.{}.part", destination_.filename().string(), static_cast<long>(getpid()));
+  temporary_ = folder.empty() ? std::filesystem::path(name) : folder / name;
+  set_pending(temporary_.string());
+  const int descriptor = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor < 0) {
+    const int error = errno;
+    pending[0] = '\0';
+    const bool disk = error == ENOSPC || error == EDQUOT || error == EIO;
+    throw FileError(disk ? 3 : 2,
+                    say(text::tool_cannot_write, {destination_.string(), reason(error)}));
+  }
+  close(descriptor);
+}
+
+WholeFile::~WholeFile() {
+  if (!temporary_.empty()) unlink(temporary_.c_str());
+  pending[0] = '\0';
+}
+
+void WholeFile::commit() {
+  if (std::rename(temporary_.c_str(), destination_.c_str()) != 0) throw write_error(reason(errno));
+  temporary_.clear();
+  pending[0] = '\0';
+}
+
+FileError WholeFile::write_error(const std::string& why) const {
+  return FileError(3, say(text::tool_cannot_write, {destination_.string(), why}));
+}
+
+}  // namespace fos
