@@ -3,7 +3,7 @@
 
 # The packages, by what they are for; the texts lab_missing_… say why.
 declare -A PACKAGES=(
-  [build]="g++ cmake ninja-build libglm-dev libfmt-dev tao-pegtl-dev libopenimageio-dev fonts-dejavu-core"
+  [build]="g++ cmake ninja-build libglm-dev libfmt-dev tao-pegtl-dev libopenimageio-dev openimageio-tools fonts-dejavu-core"
   [test]="catch2 libmpfi-dev libgmp-dev libmpfr-dev bubblewrap"
   [check]="clang clang-format clang-tidy libclang-rt-dev shellcheck"
 )
@@ -55,6 +55,7 @@ set_up() {
     apt update
     install "${missing[@]}" || apt_failed
   fi
+  ADVICE=()
   hash -r
 }
 

@@ -97,8 +97,12 @@ Row decode_row(const FrameHeader& header, std::span<const char> bytes) {
 }
 
 std::uint8_t to_byte(long double channel) {
-  // nearbyint rounds as the machine is set to, and nothing here sets it: to nearest, ties to even.
-  return static_cast<std::uint8_t>(std::nearbyint(std::clamp(channel, 0.0L, 255.0L)));
+  // In steps that are exact, and many times faster than nearbyintl.
+  const long double clamped = std::clamp(channel, 0.0L, 255.0L);
+  const int below = static_cast<int>(clamped);
+  const long double rest = clamped - static_cast<long double>(below);
+  const bool up = rest > 0.5L || (rest == 0.5L && below % 2 == 1);
+  return static_cast<std::uint8_t>(up ? below + 1 : below);
 }
 
 bool is_finite(std::span<const long double, 3> pixel) {

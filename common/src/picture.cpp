@@ -1,11 +1,15 @@
 #include "fos/picture.hpp"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
+#include <fstream>
+#include <system_error>
 
 #include "fos/whole_file.hpp"
 #include "picture_target.hpp"
@@ -33,6 +37,30 @@ OIIO::TypeDesc pixel_type(PictureFormat format, Precision precision) {
   return as_double ? OIIO::TypeDesc::DOUBLE : OIIO::TypeDesc::FLOAT;
 }
 
+/// A file that OpenImageIO writes to and that knows whether all of it arrived: its own file for PNG
+/// forgets the errors of a full disk.
+class CheckedFile : public OIIO::Filesystem::IOProxy {
+ public:
+  explicit CheckedFile(const std::filesystem::path& path)
+      : IOProxy(path.string(), Write), out_(path, std::ios::binary) {}
+
+  const char* proxytype() const override { return "checked"; }
+  std::int64_t tell() override { return out_.tellp(); }
+  bool seek(std::int64_t offset) override { return static_cast<bool>(out_.seekp(offset)); }
+  std::size_t write(const void* bytes, std::size_t count) override {
+    out_.write(static_cast<const char*>(bytes), static_cast<std::streamsize>(count));
+    return out_ ? count : 0;
+  }
+  /// Closes the file; whether everything is in it.
+  bool finish() {
+    out_.close();
+    return !out_.fail();
+  }
+
+ private:
+  std::ofstream out_;
+};
+
 /// PNG, EXR or TIFF through OpenImageIO, a scanline at a time.
 class Oiio : public PictureWriter::Target {
  public:
@@ -40,6 +68,10 @@ class Oiio : public PictureWriter::Target {
        const PictureInfo& info)
       : file_(path), out_(OIIO::ImageOutput::create(oiio_name(format))) {
     if (!out_) throw file_.write_error(OIIO::geterror());
+    if (format == PictureFormat::png) {  // the others report such errors themselves
+      checked_ = std::make_unique<CheckedFile>(file_.temporary());
+      out_->set_ioproxy(checked_.get());
+    }
     OIIO::ImageSpec spec(header.width, header.height, 3, pixel_type(format, header.precision));
     type_ = spec.format;
     if (format != PictureFormat::png) {
@@ -54,7 +86,7 @@ class Oiio : public PictureWriter::Target {
     if (type_ == OIIO::TypeDesc::UINT8) {
       std::vector<std::uint8_t> bytes(colors.size());
       std::transform(colors.begin(), colors.end(), bytes.begin(), to_byte);
-      require(out_->write_scanline(row, 0, type_, bytes.data()));
+      write_bytes(row, bytes.data());
     } else {
       std::vector<double> linear(colors.size());
       std::transform(colors.begin(), colors.end(), linear.begin(),
@@ -63,17 +95,26 @@ class Oiio : public PictureWriter::Target {
     }
   }
 
+  void write_bytes(int row, const std::uint8_t* bytes) {
+    require(out_->write_scanline(row, 0, OIIO::TypeDesc::UINT8, bytes));
+  }
+
   void finish() override {
     require(out_->close());
+    require(!checked_ || checked_->finish());
     file_.commit();
   }
 
  private:
   void require(bool done) const {
-    if (!done) throw file_.write_error(out_->geterror());
+    if (done) return;
+    const int error = errno;
+    const std::string words = out_->geterror();
+    throw file_.write_error(words.empty() ? std::generic_category().message(error) : words);
   }
 
   WholeFile file_;
+  std::unique_ptr<CheckedFile> checked_;
   std::unique_ptr<OIIO::ImageOutput> out_;
   OIIO::TypeDesc type_;
 };
@@ -88,7 +129,7 @@ std::vector<long double> shown_row(int row, const Row& pixels) {
   return colors;
 }
 
-/// `bitmap` scaled to fit a square, by OpenImageIO's own choice of filter.
+/// `bitmap` scaled to fit a square.
 OIIO::ImageBuf fitted(const Bitmap& bitmap, int size) {
   // OpenImageIO takes the pixels as not const, but only reads them.
   const OIIO::ImageBuf whole(OIIO::ImageSpec(bitmap.width, bitmap.height, 3, OIIO::TypeDesc::UINT8),
@@ -99,9 +140,10 @@ OIIO::ImageBuf fitted(const Bitmap& bitmap, int size) {
     return std::max(1, static_cast<int>(static_cast<long>(side) * size / longest));
   };
   const OIIO::ROI roi(0, scaled(bitmap.width), 0, scaled(bitmap.height), 0, 1, 0, 3);
-  // A small picture is enlarged pixel by pixel, so that each can be seen.
-  return longest < size ? OIIO::ImageBufAlgo::resize(whole, "box", 1.0F, roi)
-                        : OIIO::ImageBufAlgo::resize(whole, "", 0.0F, roi);
+  // Enlarged pixel by pixel, so that each can be seen; else averaged, in a fraction of the time that
+  // a sharper filter takes.
+  return longest < size ? OIIO::ImageBufAlgo::resample(whole, false, roi)
+                        : OIIO::ImageBufAlgo::resize(whole, "box", 1.0F, roi);
 }
 
 }  // namespace
@@ -159,16 +201,17 @@ void write_sheet(const std::filesystem::path& path, const std::vector<Panel>& pa
                               top + (panel_size - picture.spec().height) / 2, 0, 0, picture);
     // Without the font the sheet is still worth having, so a label that cannot be drawn is left
     // out.
-    OIIO::ImageBufAlgo::render_text(sheet, left + panel_size / 2, top + panel_size + font_size / 2,
-                                    panel.label, font_size, "DejaVuSans", ink,
-                                    OIIO::ImageBufAlgo::TextAlignX::Center,
-                                    OIIO::ImageBufAlgo::TextAlignY::Top);
+    OIIO::ImageBufAlgo::render_text(sheet, left + panel_size / 2,
+                                    top + panel_size + 3 * font_size / 2, panel.label, font_size,
+                                    "DejaVuSans", ink, OIIO::ImageBufAlgo::TextAlignX::Center,
+                                    OIIO::ImageBufAlgo::TextAlignY::Baseline);
   }
-  WholeFile file(path);
-  if (!sheet.write(file.temporary().string(), OIIO::TypeUnknown, "png")) {
-    throw file.write_error(sheet.geterror());
+  const OIIO::ImageSpec& spec = sheet.spec();
+  Oiio out(path, PictureFormat::png, {spec.width, spec.height}, {});
+  for (int row = 0; row < spec.height; ++row) {
+    out.write_bytes(row, static_cast<const std::uint8_t*>(sheet.pixeladdr(0, row)));
   }
-  file.commit();
+  out.finish();
 }
 
 }  // namespace fos

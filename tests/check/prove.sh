@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# prove.sh STAGE BIN: the stage's tests pass every right program, at double and float, and fail every
+# wrong one.
+stage=$1 bin=$2
+
+case $stage in
+  flat_color) terms=1 ;;
+  ambient) terms=a ;;
+  point) terms=ap ;;
+  directional) terms=ad ;;
+  combined) terms=apd ;;
+  *) echo "prove.sh: which terms has $stage?" && exit 1 ;;
+esac
+
+right=(as_on_the_slides half_b geometric normalised_D factored_c stable_root fma)
+[[ $stage == flat_color || $stage == ambient ]] || right+=(max_with_0 normalised_L sqrt_of_squares
+  N_over_r N_not_normalised lights_backwards)
+[[ $stage == flat_color ]] || right+=(color_per_light clamped)
+
+wrong=(O_forgotten b_without_2 r_not_squared without_4 tangent_misses divided_by_2 divided_by_a
+  near_root_only far_root_only t_min_ignored t_min_behind upside_down last_sphere first_sphere
+  last_of_equals open_interval black_background channels_swapped)
+if [[ $stage != flat_color ]]; then
+  wrong+=(truncated rounded not_a_number ambient_forgotten ambient_twice color_plus_I
+    light_without_color color_without_light cut_off_at_1 gamma a_percent_more)
+fi
+if [[ $terms == *[pd]* ]]; then
+  wrong+=(absolute_cosine negative_kept L_not_normalised divided_by_L_squared N_not_normalised
+    angle_for_cosine cosine_squared falloff all_or_nothing last_light_only lights_multiplied
+    brightest_light first_light_only ambient_per_light P_is_D N_inward N_is_P N_is_D)
+fi
+[[ $terms == *p* ]] && wrong+=(P_without_O L_reversed L_is_position light_moved distance_to_camera)
+[[ $terms == *d* ]] && wrong+=(direction_negated direction_is_position directional_forgotten)
+
+export FOS_TERMS=$terms
+passes() { FOS_PROGRAM=$bin/$1 "$bin/test_$stage" --abort &>/dev/null; }
+
+bad=0
+for suffix in '' _float; do
+  for FOS_FORMULATION in "${right[@]}"; do
+    export FOS_FORMULATION
+    passes "variant_right$suffix" || { echo "right, but fails: $FOS_FORMULATION$suffix" && bad=1; }
+  done
+  for FOS_MISTAKE in "${wrong[@]}"; do
+    export FOS_MISTAKE
+    passes "variant_wrong$suffix" && { echo "wrong, but passes: $FOS_MISTAKE$suffix" && bad=1; }
+  done
+done
+export FOS_MISTAKE=none  # without a mistake the wrong program is right
+passes variant_wrong || { echo "the wrong program fails without a mistake too" && bad=1; }
+echo "$stage: ${#right[@]} right and ${#wrong[@]} wrong programs, each at two precisions"
+exit $bad

@@ -1,0 +1,35 @@
+// What the Catch2 tests of the stages have in common: they ask the program that FOS_PROGRAM names,
+// a lab, its solution, or a variation of it, and judge its pixels.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "catch2.hpp"
+#include "fos/stage_list.hpp"
+
+namespace fos {
+
+/// A pixel's channels, 0..255 and not rounded.
+using Channels = std::array<double, 3>;
+
+/// The channels of one pixel of a scene. Fails the test where there is no frame, or where the pixel
+/// is unwritten or not finite.
+Channels pixel_of(std::string_view scene_text, int column, int row);
+
+/// The pixel straight ahead of the camera, x = 0 and y = 0, in a scene of these spheres and lights,
+/// before a black background.
+Channels pixel_ahead(std::string_view spheres_and_lights);
+
+/// Fails the test where `actual` is not within 0.01 of `expected`: wide enough for float, and far
+/// below the half of a byte that could hide a mistake.
+void check_channels(const Channels& actual, const Channels& expected);
+
+/// A pixel of the lecture's scene, on its own canvas of 600 x 600.
+Channels lecture_pixel(int column, int row);
+
+/// Every pixel of every scene that labs/stages.json lists for the stage.
+void check_whole_frames(std::string_view stage_id);
+
+}  // namespace fos

@@ -1,0 +1,73 @@
+// directional: I_A + the sum over the directional lights, with one L for the whole scene.
+//
+// The sphere is met at P = (0, 0, 2), where N = (0, 0, -1).
+#include "stage_under_test.hpp"
+
+using namespace fos;
+
+namespace {
+
+constexpr std::string_view sphere =
+    "sphere { center = (0, 0, 3)  radius = 1  color = (200, 100, 50) }\n";
+
+Channels lit(std::string_view lights) { return pixel_ahead(std::string(sphere).append(lights)); }
+
+}  // namespace
+
+TEST_CASE("L parallel to N: all of the light is reflected", "[code]") {
+  check_channels(lit("light { type = directional  intensity = 0.5  direction = (0, 0, -3) }"),
+                 {100, 50, 25});
+}
+
+TEST_CASE("L perpendicular to N: none of it", "[code]") {
+  check_channels(lit("light { type = ambient      intensity = 0.1 }"
+                     "light { type = directional  intensity = 0.5  direction = (5, 0, 0) }"),
+                 {20, 10, 5});
+}
+
+TEST_CASE("beyond 90 degrees the light is ignored", "[code]") {
+  check_channels(lit("light { type = ambient      intensity = 0.1 }"
+                     "light { type = directional  intensity = 0.5  direction = (0, 0, 3) }"),
+                 {20, 10, 5});
+}
+
+TEST_CASE("between them it is the cosine, whatever the length of L", "[code]") {
+  // <N, L> / (|N| |L|) = 3/5: I = 0.1 + 0.5 * 3/5 = 0.4.
+  for (const char* direction : {"(4, 0, -3)", "(0.4, 0, -0.3)", "(4e9, 0, -3e9)"}) {
+    INFO("direction = " << direction);
+    check_channels(lit("light { type = ambient      intensity = 0.1 }"
+                       "light { type = directional  intensity = 0.5  direction = " +
+                       std::string(direction) + " }"),
+                   {80, 40, 20});
+  }
+}
+
+TEST_CASE("every directional light adds its term", "[code]") {
+  // 0.5 * 3/5 + 0.25 * 1 + 0 (from behind) = 0.55.
+  check_channels(lit("light { type = directional  intensity = 0.5   direction = (4, 0, -3) }"
+                     "light { type = directional  intensity = 0.25  direction = (0, 0, -1) }"
+                     "light { type = directional  intensity = 0.5   direction = (0, 0, 1) }"),
+                 {110, 55, 27.5});
+}
+
+TEST_CASE("L is the same wherever P is, and N has length 1", "[code]") {
+  check_channels(
+      pixel_ahead("sphere { center = (0, 0, 70)  radius = 5  color = (200, 100, 50) }"
+                  "light { type = directional  intensity = 0.5  direction = (4, 0, -3) }"),
+      {60, 30, 15});
+}
+
+TEST_CASE("point lights are for other stages", "[code]") {
+  check_channels(lit("light { type = ambient  intensity = 0.1 }"
+                     "light { type = point    intensity = 0.5  position = (0, 0, 0) }"),
+                 {20, 10, 5});
+}
+
+TEST_CASE("pixels of the lecture's scene", "[code]") {
+  // Straight ahead: P = (0, 0, 3), N = (0, 1, 0), L = (1, 4, 4): I = 0.2 + 0.2 * 4 / sqrt(33).
+  check_channels(lecture_pixel(300, 299), {86.512, 0, 0});
+  // The light comes from behind the scene, so most of what faces the camera gets none: I = 0.2.
+  check_channels(lecture_pixel(300, 400), {51, 0, 0});
+}
+
+TEST_CASE("every pixel of the stage's scenes", "[code]") { check_whole_frames("directional"); }

@@ -1,0 +1,123 @@
+// Right programs in other formulations: FOS_FORMULATION names one. All of them must pass, at every
+// precision: the rule judges the pixels, not the way.
+#include <cstdlib>
+#include <glm/common.hpp>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "fos/stage.hpp"
+
+namespace fos {
+namespace {
+
+std::string_view variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+const std::string_view formulation = variable("FOS_FORMULATION");
+const std::string_view terms = variable("FOS_TERMS");  // some of "apd", or "1" for the plain color
+
+bool is(std::string_view name) { return formulation == name; }
+bool has(char term) { return terms.find(term) != std::string_view::npos; }
+
+struct Roots {
+  Real t1, t2;
+};
+
+std::optional<Roots> roots(const Vec3& O, const Vec3& D, const Sphere& sphere) {
+  const Vec3 CO = O - sphere.center;
+  const Real r = sphere.radius;
+  if (is("half_b")) {
+    const Real a = dot(D, D);
+    const Real h = dot(CO, D);
+    const Real disc = h * h - a * (dot(CO, CO) - r * r);
+    if (disc < 0) return std::nullopt;
+    return Roots{(-h + std::sqrt(disc)) / a, (-h - std::sqrt(disc)) / a};
+  }
+  if (is("geometric")) {  // the nearest point to the centre, then half the chord
+    const Real middle = -dot(CO, D) / dot(D, D);
+    const Vec3 l = CO + middle * D;
+    const Real chord = r * r - dot(l, l);
+    if (chord < 0) return std::nullopt;
+    const Real half = std::sqrt(chord) / length(D);
+    return Roots{middle + half, middle - half};
+  }
+  if (is("normalised_D")) {  // t is a distance then, and is turned back
+    const Vec3 d = normalize(D);
+    const Real h = dot(CO, d);
+    const Real disc = h * h - (dot(CO, CO) - r * r);
+    if (disc < 0) return std::nullopt;
+    return Roots{(-h + std::sqrt(disc)) / length(D), (-h - std::sqrt(disc)) / length(D)};
+  }
+  const Real a = dot(D, D);
+  const Real b = 2 * dot(CO, D);
+  const Real c = is("factored_c") ? (length(CO) - r) * (length(CO) + r) : dot(CO, CO) - r * r;
+  const Real disc = is("fma") ? std::fma(b, b, -4 * a * c) : b * b - 4 * a * c;
+  if (disc < 0) return std::nullopt;
+  if (is("stable_root")) {
+    const Real q = -(b + std::copysign(std::sqrt(disc), b)) / 2;
+    return Roots{q / a, q == 0 ? 0 : c / q};
+  }
+  return Roots{(-b + std::sqrt(disc)) / (2 * a), (-b - std::sqrt(disc)) / (2 * a)};
+}
+
+Real cosine(const Vec3& N, const Vec3& L) {
+  if (is("max_with_0")) return length(L) > 0 ? std::max<Real>(0, dot(N, L) / length(L)) : 0;
+  if (is("normalised_L")) {
+    const Real n_dot_l = length(L) > 0 ? dot(N, normalize(L)) : 0;
+    return n_dot_l > 0 ? n_dot_l : 0;
+  }
+  const Real n_dot_l = dot(N, L);
+  if (!(n_dot_l > 0)) return 0;
+  if (is("sqrt_of_squares")) return n_dot_l / std::sqrt(dot(N, N) * dot(L, L));
+  return n_dot_l / (length(N) * length(L));
+}
+
+Color shade(const Vec3& P, const Sphere& sphere, const Scene& scene) {
+  if (has('1')) return sphere.color;
+  const Vec3 CP = P - sphere.center;
+  const Vec3 N = is("N_over_r")           ? CP / sphere.radius
+                 : is("N_not_normalised") ? CP  // right all the same: the formula divides by |N|
+                                          : normalize(CP);
+  std::vector<Real> parts;
+  if (has('a')) parts.push_back(scene.ambient_intensity);
+  if (has('p')) {
+    for (const PointLight& light : scene.point_lights) {
+      parts.push_back(light.intensity * cosine(N, light.position - P));
+    }
+  }
+  if (has('d')) {
+    for (const DirectionalLight& light : scene.directional_lights) {
+      parts.push_back(light.intensity * cosine(N, light.direction));
+    }
+  }
+  if (is("lights_backwards")) std::reverse(parts.begin(), parts.end());
+  if (is("color_per_light")) {
+    Color sum(0);
+    for (const Real part : parts) sum += sphere.color * part;
+    return sum;
+  }
+  Real I = 0;
+  for (const Real part : parts) I += part;
+  const Color color = I * sphere.color;
+  return is("clamped") ? min(color, Color(255)) : color;
+}
+
+}  // namespace
+
+Color trace_ray(const Vec3& O, const Vec3& D, Real t_min, Real t_max, const Scene& scene) {
+  Real closest_t = infinity;
+  const Sphere* closest = nullptr;
+  for (const Sphere& sphere : scene.spheres) {
+    const auto both = roots(O, D, sphere);
+    if (!both) continue;
+    for (const Real t : {both->t1, both->t2}) {
+      if (t_min <= t && t <= t_max && t < closest_t) closest_t = t, closest = &sphere;
+    }
+  }
+  return closest == nullptr ? scene.background_color : shade(O + closest_t * D, *closest, scene);
+}
+
+}  // namespace fos

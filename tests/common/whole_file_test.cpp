@@ -1,0 +1,90 @@
+#include "fos/whole_file.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+
+#include "catch2.hpp"
+
+using namespace fos;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// An empty folder of its own, gone at the end.
+struct Folder {
+  fs::path path = fs::temp_directory_path() / ("fos whole_file " + std::to_string(getpid()));
+  Folder() { fs::create_directory(path); }
+  ~Folder() { fs::remove_all(path); }
+  long entries() const { return std::distance(fs::directory_iterator(path), {}); }
+};
+
+std::string contents(const fs::path& path) {
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+TEST_CASE("a file appears at commit, whole, over the older one") {
+  const Folder folder;
+  const fs::path path = folder.path / "εικόνα.png";
+  std::ofstream(path) << "old";
+  {
+    WholeFile file(path);
+    std::ofstream(file.temporary()) << "new";
+    CHECK(contents(path) == "old");
+    file.commit();
+  }
+  CHECK(contents(path) == "new");
+  CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("without commit nothing changes and nothing is left") {
+  const Folder folder;
+  const fs::path path = folder.path / "a.png";
+  std::ofstream(path) << "old";
+  {
+    WholeFile file(path);
+    std::ofstream(file.temporary()) << "half";
+  }
+  CHECK(contents(path) == "old");
+  CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("Ctrl-C leaves nothing behind") {
+  const Folder folder;
+  const pid_t child = fork();
+  if (child == 0) {
+    WholeFile file(folder.path / "a.png");
+    std::ofstream(file.temporary()) << "half";
+    raise(SIGINT);
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  CHECK(WIFSIGNALED(status));
+  CHECK(WTERMSIG(status) == SIGINT);
+  CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("a path that cannot be written is wrong input, a full disk is not") {
+  const Folder folder;
+  const auto status_of = [](const fs::path& path) {
+    try {
+      WholeFile file(path);
+      file.commit();
+      return 0;
+    } catch (const FileError& error) {
+      return error.exit_status;
+    }
+  };
+  CHECK(status_of(folder.path / "no such folder" / "a.png") == 2);
+  CHECK(status_of(folder.path) == 2);
+  CHECK(status_of(folder.path / std::string(300, 'x')) == 2);
+  const WholeFile file(folder.path / "a.png");
+  CHECK(file.write_error("no space").exit_status == 3);
+}
