@@ -12,15 +12,17 @@ case $stage in
   *) echo "prove.sh: which terms has $stage?" && exit 1 ;;
 esac
 
-right=(as_on_the_slides half_b geometric normalised_D factored_c stable_root fma)
+right=(as_on_the_slides half_b geometric normalised_D normalised_D_simply factored_c stable_root fma)
 [[ $stage == flat_color || $stage == ambient ]] || right+=(max_with_0 normalised_L sqrt_of_squares
   N_over_r N_not_normalised lights_backwards)
 [[ $stage == flat_color ]] || right+=(color_per_light clamped)
 
 wrong=(O_forgotten b_without_2 r_not_squared without_4 tangent_misses divided_by_2 divided_by_a
   near_root_only far_root_only t_min_ignored t_min_behind upside_down last_sphere first_sphere
-  last_of_equals open_interval black_background channels_swapped)
-if [[ $stage != flat_color ]]; then
+  last_of_equals black_background channels_swapped)
+if [[ $stage == flat_color ]]; then
+  wrong+=(open_interval)
+else
   wrong+=(truncated rounded not_a_number ambient_forgotten ambient_twice color_plus_I
     light_without_color color_without_light cut_off_at_1 gamma a_percent_more)
 fi

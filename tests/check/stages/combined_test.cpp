@@ -55,9 +55,10 @@ TEST_CASE("the sum may exceed 1: only the picture cuts it off", "[code]") {
 TEST_CASE("without any light it is dark", "[code]") { check_channels(lit(""), {0, 0, 0}); }
 
 TEST_CASE("pixels of the lecture's scene", "[code]") {
-  // Straight ahead: P = (0, 0, 3), N = (0, 1, 0): I = 0.2 + 0.6 / sqrt(14) + 0.2 * 4 / sqrt(33).
-  check_channels(lecture_pixel(300, 299), {127.403, 0, 0});
-  // One row below: 136.501, which a truncation would make 136.
+  // x = 0, y = -50: t = 12/5, P = (0, -1/5, 12/5), N = (0, 4/5, -3/5):
+  // I = 0.2 + 0.6 * 2.4 / sqrt(11.2) + 0.2 * 0.8 / sqrt(33) = 0.65813.
+  check_channels(lecture_pixel(300, 349), {167.824, 0, 0});
+  // Just below the sphere's top: 136.501, which a truncation would make 136.
   check_channels(lecture_pixel(300, 300), {136.501, 0, 0});
 }
 

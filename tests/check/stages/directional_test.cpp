@@ -64,8 +64,9 @@ TEST_CASE("point lights are for other stages", "[code]") {
 }
 
 TEST_CASE("pixels of the lecture's scene", "[code]") {
-  // Straight ahead: P = (0, 0, 3), N = (0, 1, 0), L = (1, 4, 4): I = 0.2 + 0.2 * 4 / sqrt(33).
-  check_channels(lecture_pixel(300, 299), {86.512, 0, 0});
+  // x = 0, y = -50: t = 12/5, P = (0, -1/5, 12/5), N = (0, 4/5, -3/5), L = (1, 4, 4),
+  // <N, L> = 4/5: I = 0.2 + 0.2 * 0.8 / sqrt(33) = 0.22785.
+  check_channels(lecture_pixel(300, 349), {58.102, 0, 0});
   // The light comes from behind the scene, so most of what faces the camera gets none: I = 0.2.
   check_channels(lecture_pixel(300, 400), {51, 0, 0});
 }

@@ -80,10 +80,11 @@ TEST_CASE("directional lights are for later stages", "[code]") {
 }
 
 TEST_CASE("pixels of the lecture's scene", "[code]") {
-  // Straight ahead: P = (0, 0, 3), N = (0, 1, 0), L = (2, 1, -3): I = 0.2 + 0.6 / sqrt(14).
-  check_channels(lecture_pixel(300, 299), {91.891, 0, 0});
+  // x = 0, y = -50: t = 12/5, P = (0, -1/5, 12/5), N = (0, 4/5, -3/5), L = (2, 6/5, -12/5),
+  // <N, L> = 12/5: I = 0.2 + 0.6 * 2.4 / sqrt(11.2) = 0.63028.
+  check_channels(lecture_pixel(300, 349), {160.722, 0, 0});
   // On the left of the red sphere no light comes from the point: I = 0.2.
-  check_channels(lecture_pixel(130, 470), {51, 0, 0});
+  check_channels(lecture_pixel(108, 460), {51, 0, 0});
 }
 
 TEST_CASE("every pixel of the stage's scenes", "[code]") { check_whole_frames("point"); }

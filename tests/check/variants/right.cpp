@@ -107,7 +107,10 @@ Color shade(const Vec3& P, const Sphere& sphere, const Scene& scene) {
 
 }  // namespace
 
-Color trace_ray(const Vec3& O, const Vec3& D, Real t_min, Real t_max, const Scene& scene) {
+Color trace_ray(const Vec3& O, const Vec3& given_D, Real t_min, Real t_max, const Scene& scene) {
+  // Its t is a distance, of which [1, infinity] is a little more than what the camera asks for: no
+  // scene has anything in between.
+  const Vec3 D = is("normalised_D_simply") ? normalize(given_D) : given_D;
   Real closest_t = infinity;
   const Sphere* closest = nullptr;
   for (const Sphere& sphere : scene.spheres) {

@@ -57,7 +57,7 @@ Real term(Real intensity, const Vec3& P, const Vec3& N, const Vec3& L) {
 Real compute_lighting(const Vec3& P, const Vec3& N, const Scene& scene) {
   Real i = has('a') && !is("ambient_forgotten") ? scene.ambient_intensity : 0;
   if (is("ambient_twice")) i *= 2;
-  const auto add = [&, first = true](Real part) mutable {
+  auto add = [&, first = true](Real part) mutable {
     if (is("last_light_only")) {
       i = part;
     } else if (is("lights_multiplied")) {
@@ -75,7 +75,7 @@ Real compute_lighting(const Vec3& P, const Vec3& N, const Scene& scene) {
       Vec3 L = light.position - P;
       if (is("L_reversed")) L = P - light.position;
       if (is("L_is_position")) L = light.position;
-      if (is("light_moved")) L.x += 0.02 * std::max<Real>(1, std::abs(light.position.x));
+      if (is("light_moved")) L.x += Real(0.02) * std::max<Real>(1, std::abs(light.position.x));
       add(term(light.intensity, P, N, L));
     }
   }
@@ -89,7 +89,7 @@ Real compute_lighting(const Vec3& P, const Vec3& N, const Scene& scene) {
   }
   if (is("cut_off_at_1")) i = std::min<Real>(1, i);
   if (is("gamma")) i = std::sqrt(std::max<Real>(0, i));
-  if (is("a_percent_more")) i *= 1.01;
+  if (is("a_percent_more")) i *= Real(1.01);
   return i;
 }
 
