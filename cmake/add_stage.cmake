@@ -5,22 +5,18 @@ function(fos_add_stage id)
     set(source "${CMAKE_SOURCE_DIR}/${kind}s/${FOS_STAGE_${id}_FILE}")
     if(EXISTS "${source}")
       foreach(precision IN LISTS FOS_PRECISIONS)
-        fos_add_stage_program(${kind}_${id} "${source}" ${precision}
-          "${FOS_GIVEN_${FOS_STAGE_${id}_LECTURE}}")
+        fos_add_stage_program(${kind}_${id} "${source}" ${precision})
       endforeach()
     endif()
   endforeach()
 endfunction()
 
-# A stage program from one source file that defines trace_ray, with what earlier lectures gave.
-function(fos_add_stage_program name source precision given)
+# A stage program from one source file that defines trace_ray.
+function(fos_add_stage_program name source precision)
   fos_suffix(suffix ${precision})
   set(target ${name}${suffix})
   add_executable(${target} "${source}" $<TARGET_OBJECTS:fos_stage_main${suffix}>)
   target_link_libraries(${target} PRIVATE fos_options fos_common${suffix})
-  foreach(library IN LISTS given)
-    target_link_libraries(${target} PRIVATE fos_${library}${suffix})
-  endforeach()
   # A parameter that a stage does not use yet is no mistake: N in `ambient`, all of them in a stub.
   target_compile_options(${target} PRIVATE -Wno-unused-parameter)
   target_precompile_headers(${target} REUSE_FROM fos_stage_main${suffix})

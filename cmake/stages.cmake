@@ -1,7 +1,7 @@
 # Reads labs/stages.json, THE list of lectures and stages. Sets
 #   FOS_STAGES                      the stages up to FOS_LECTURE, in order
-#   FOS_STAGE_<id>_{LECTURE,FILE,SCENES}
-#   FOS_LECTURES, FOS_GIVEN_<n>     what earlier lectures give to the stages of lecture n
+#   FOS_STAGE_<id>_{LECTURE,FILE}
+#   FOS_REFERENCE_SCENES            the scenes of all of them, each once
 # and writes what C++ (fos/stages.inc) and bash (stages.sh) need of it.
 
 set(_file "${CMAKE_SOURCE_DIR}/labs/stages.json")
@@ -23,17 +23,11 @@ function(fos_json_array out)
 endfunction()
 
 set(FOS_LECTURES "")
-set(_given "")
 string(JSON _count LENGTH "${_json}" lectures)
 math(EXPR _last "${_count} - 1")
 foreach(_i RANGE ${_last})
   string(JSON _number GET "${_json}" lectures ${_i} number)
   list(APPEND FOS_LECTURES ${_number})
-  set(FOS_GIVEN_${_number} "${_given}")
-  string(JSON _gives ERROR_VARIABLE _none GET "${_json}" lectures ${_i} gives)
-  if(NOT _none)
-    list(APPEND _given "${_gives}")
-  endif()
 endforeach()
 
 list(GET FOS_LECTURES -1 _newest)
@@ -44,6 +38,7 @@ if(NOT _lecture IN_LIST FOS_LECTURES)
 endif()
 
 set(FOS_STAGES "")
+set(FOS_REFERENCE_SCENES "")
 set(_cpp "")
 set(_rows "")
 set(_bash_lectures "")
@@ -72,7 +67,7 @@ foreach(_i RANGE ${_last})
   list(APPEND FOS_STAGES ${_id})
   set(FOS_STAGE_${_id}_LECTURE ${_number})
   set(FOS_STAGE_${_id}_FILE "lecture${_folder}/${_id}.cpp")
-  set(FOS_STAGE_${_id}_SCENES "${_scenes}")
+  list(APPEND FOS_REFERENCE_SCENES ${_scenes})
 
   list(TRANSFORM _terms REPLACE "(.+)" "\\1_term")
   list(JOIN _terms " | " _bits)
@@ -84,6 +79,7 @@ foreach(_i RANGE ${_last})
   string(APPEND _bash_lectures " [${_id}]=${_number}")
   string(APPEND _bash_files " [${_id}]=${FOS_STAGE_${_id}_FILE}")
 endforeach()
+list(REMOVE_DUPLICATES FOS_REFERENCE_SCENES)
 string(REGEX REPLACE "0([a-z])" "\\1" _rows "${_rows}")
 
 file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/generated/fos/stages.inc" @ONLY CONTENT

@@ -140,8 +140,8 @@ OIIO::ImageBuf fitted(const Bitmap& bitmap, int size) {
     return std::max(1, static_cast<int>(static_cast<long>(side) * size / longest));
   };
   const OIIO::ROI roi(0, scaled(bitmap.width), 0, scaled(bitmap.height), 0, 1, 0, 3);
-  // Enlarged pixel by pixel, so that each can be seen; else averaged, in a fraction of the time that
-  // a sharper filter takes.
+  // Enlarged pixel by pixel, so that each can be seen; else averaged, in a fraction of the time
+  // that a sharper filter takes.
   return longest < size ? OIIO::ImageBufAlgo::resample(whole, false, roi)
                         : OIIO::ImageBufAlgo::resize(whole, "box", 1.0F, roi);
 }

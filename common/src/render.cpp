@@ -19,12 +19,15 @@ void render(const Scene& scene, const View& view, const RowSink& sink) {
   const auto width = static_cast<std::size_t>(view.canvas_width);
   std::vector<Color> colors(width);
   std::vector<std::uint8_t> unwritten(width);
+  // Copies that trace_ray cannot reach, so that what depends on the row alone is computed once a row.
+  const View own = view;
+  const Vec3 O = view.camera_position;
   take_unwritten();
-  for (int row = 0; row < view.canvas_height; ++row) {
-    for (int column = 0; column < view.canvas_width; ++column) {
+  for (int row = 0; row < own.canvas_height; ++row) {
+    for (int column = 0; column < own.canvas_width; ++column) {
       const auto i = static_cast<std::size_t>(column);
-      const Vec3 D = canvas_to_viewport(view, column, row);
-      colors[i] = trace_ray(view.camera_position, D, 1, infinity, scene);
+      const Vec3 D = canvas_to_viewport(own, column, row);
+      colors[i] = trace_ray(O, D, 1, infinity, scene);
       unwritten[i] = take_unwritten() ? 1 : 0;
     }
     sink(colors, unwritten);

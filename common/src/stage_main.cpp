@@ -40,13 +40,9 @@ void answer(const fos::Request& request) {
   write_all(fos::encode(header));
   std::vector<char> bytes(fos::encoded_row_size(header));
   fos::render(file.scene, file.view, [&](auto colors, auto unwritten) {
-    char* out = bytes.data();
-    for (const fos::Color& color : colors) {
-      for (int channel = 0; channel < 3; ++channel, out += sizeof(fos::Real)) {
-        std::memcpy(out, &color[channel], sizeof(fos::Real));
-      }
-    }
-    std::memcpy(out, unwritten.data(), unwritten.size());
+    static_assert(sizeof(fos::Color) == 3 * sizeof(fos::Real));
+    std::memcpy(bytes.data(), colors.data(), colors.size_bytes());
+    std::memcpy(bytes.data() + colors.size_bytes(), unwritten.data(), unwritten.size());
     write_all(bytes);
   });
 }

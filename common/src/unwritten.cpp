@@ -9,15 +9,12 @@
 #include "fos/text.hpp"
 
 namespace fos {
-namespace {
 
-bool raised = false;
-
-}  // namespace
+bool unwritten_raised = false;
 
 Unwritten unwritten(const char* what, const char* file, int line) {
   static std::set<std::pair<std::string, int>> said;
-  raised = true;
+  unwritten_raised = true;
   // Called for every pixel: the set is asked only when the place is not the last one again.
   static std::pair<const char*, int> last{nullptr, 0};
   if (std::exchange(last, {file, line}) != std::pair{file, line} &&
@@ -27,7 +24,5 @@ Unwritten unwritten(const char* what, const char* file, int line) {
   }
   return {};
 }
-
-bool take_unwritten() { return std::exchange(raised, false); }
 
 }  // namespace fos

@@ -17,9 +17,9 @@ right=(as_on_the_slides half_b geometric normalised_D normalised_D_simply factor
   N_over_r N_not_normalised lights_backwards)
 [[ $stage == flat_color ]] || right+=(color_per_light clamped)
 
-wrong=(O_forgotten b_without_2 r_not_squared without_4 tangent_misses divided_by_2 divided_by_a
-  near_root_only far_root_only t_min_ignored t_min_behind upside_down last_sphere first_sphere
+wrong=(O_forgotten b_without_2 r_not_squared without_4 tangent_misses divided_by_2 near_root_only far_root_only t_min_ignored t_min_behind upside_down last_sphere first_sphere
   last_of_equals black_background channels_swapped)
+[[ $stage == ambient ]] || wrong+=(divided_by_a)  # it changes t alone, which ambient light ignores
 if [[ $stage == flat_color ]]; then
   wrong+=(open_interval)
 else

@@ -1,7 +1,7 @@
-// The closest intersection of a ray with the scene: what lecture 3 built, for the lectures after
-// it.
+// The closest intersection of a ray with the scene: what lecture 3 built, given to later lectures.
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "fos/scene.hpp"
@@ -20,7 +20,35 @@ struct Hit {
 /// It solves |O + t D − C|² = r² without the slides' b² − 4ac, which loses half the digits for a
 /// sphere far away (Haines, Günther, Akenine-Möller, "Precision Improvements for Ray/Sphere
 /// Intersection", Ray Tracing Gems, 2019).
-std::optional<Hit> closest_hit(const Vec3& O, const Vec3& D, Real t_min, Real t_max,
-                               const Scene& scene);
+inline std::optional<Hit> closest_hit(const Vec3& O, const Vec3& D, Real t_min, Real t_max,
+                                      const Scene& scene) {
+  const Real a = dot(D, D);
+  Real closest_t = infinity;
+  const Sphere* closest = nullptr;
+  const auto consider = [&](Real t, const Sphere& sphere) {
+    if (t < closest_t && t_min <= t && t <= t_max) {
+      closest_t = t;
+      closest = &sphere;
+    }
+  };
+  for (const Sphere& sphere : scene.spheres) {
+    // With V from O to the centre, the ray passes the centre nearest at t = h/a, there l away from
+    // it. r² − l² compares two lengths of the sphere's own size; b² − 4ac would subtract squares of
+    // the distance instead, and lose in rounding what the sphere's size adds to them.
+    const Vec3 V = sphere.center - O;
+    const Real h = dot(V, D);
+    const Vec3 l = V - (h / a) * D;
+    const Real discriminant = sphere.radius * sphere.radius - dot(l, l);
+    if (discriminant < 0) continue;
+    // The root whose two terms have the same sign does not cancel. The other follows from Vieta's
+    // t1 t2 = c/a; q is 0 only when both roots are.
+    const Real q = h + std::copysign(std::sqrt(a * discriminant), h);
+    const Real c = dot(V, V) - sphere.radius * sphere.radius;
+    consider(q == 0 ? 0 : c / q, sphere);
+    consider(q / a, sphere);
+  }
+  if (closest == nullptr) return std::nullopt;
+  return Hit{closest_t, closest};
+}
 
 }  // namespace fos

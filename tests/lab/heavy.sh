@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# `./lab test` and `./lab test all`: what runs, and that nothing counts as passed that did not.
+# shellcheck disable=SC2016,SC2317 # functions for `check`
+# shellcheck source=tests/lab/harness.bash
+source "$(dirname "$0")/harness.bash" "$1"
+
+make_tree
+lab test
+check "test" status 0
+check "test: with the tests" called FOS_TESTS=ON
+check "test: builds everything" called '-k 0 all'
+check "test: runs the tests" called "ctest --test-dir $TREE/build/release"
+check "test: no heavy package is asked for" not called apt-get
+lab --lang el test
+check "the tests hear nothing of the person's language" test "$(<"$STATE/language")" == none
+touch "$STATE/ctest-fails"
+lab test
+check "a test fails" status 1
+rm "$STATE/ctest-fails"
+echo all >"$STATE/broken"
+: >"$STATE/calls"
+lab test
+check "not everything builds" status 1
+check "not everything builds: nothing is tested" not called ctest
+rm "$STATE/broken" "$STATE/installed-catch2"
+lab test
+check "the packages of the tests" called 'install -y --no-remove --no-install-recommends catch2'
+
+# The heavy checks.
+tools() {
+  local tool
+  for tool in clang-format shellcheck g++ clang++ run-clang-tidy; do
+    pretend "$tool" <<'EOT'
+[[ $(cat "$STATE/fails" 2>/dev/null) != "${0##*/}" ]] || { echo "what it says"; exit 1; }
+EOT
+  done
+}
+closing() { [[ ${OUT##*$'\n'} == "$1" ]]; }
+make_tree
+tools
+lab test all
+check "all" status 0
+check "all: the last line" closing '8 passed, 0 failed'
+check "all: no step is left out" not out 'NOT RUN'
+check "all: the fuzzer runs a minute" called 'max_total_time=60'
+for tool in clang-format shellcheck run-clang-tidy; do
+  echo "$tool" >"$STATE/fails"
+  lab test all
+  check "$tool fails" status 1
+  check "$tool fails: the others go on" closing '7 passed, 1 failed'
+  check "$tool fails: its words" out 'what it says'
+done
+rm "$STATE/fails"
+echo all >"$STATE/broken"
+lab test all
+check "not everything builds: the other checks go on" closing '7 passed, 1 failed'
+rm "$STATE/broken"
+touch "$STATE/ctest-fails"
+lab test all
+check "tests fail, in three builds" closing '5 passed, 3 failed'
+rm "$STATE/ctest-fails"
+echo 77 >"$STATE/picture-status" # the fuzzer pretends, like every program here
+lab test all
+check "the fuzzer finds something" closing '7 passed, 1 failed'
+rm "$STATE/picture-status"
+rm "$WORK/bin/run-clang-tidy"
+lab test all
+check "a tool is missing: not run" out 'NOT RUN: run-clang-tidy'
+check "a tool is missing: counted" out '1 not run'
+check "a tool is missing: not passed" closing '7 passed, 0 failed'
+check "a tool is missing: nothing failed" status 0
+
+finish

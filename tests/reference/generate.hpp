@@ -1,0 +1,18 @@
+// The whole reference of a scene.
+#pragma once
+
+#include "exact_scene.hpp"
+#include "fos/scene_text.hpp"
+#include "reference_file.hpp"
+
+namespace fos::reference {
+
+/// The first step to try for a scene's terms: 2^-40 of the brighter kind of light, 2^-40 without
+/// light. Throws std::range_error if a double does not carry such terms.
+int coarsest_step(const ExactScene& scene);
+
+/// Certifies all pixels, in two threads. If the step is too coarse for one of them, starts again
+/// with a finer one. Throws UndecidedError, StepError (oracle.hpp) and std::range_error.
+Reference generate(const SceneText& scene);
+
+}  // namespace fos::reference
