@@ -19,3 +19,13 @@ if(FOS_SANITIZE)
     -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(fos_options INTERFACE -fsanitize=address,undefined)
 endif()
+if(FOS_FUZZ)
+  target_compile_options(fos_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined
+    -fno-sanitize-recover=all)
+  target_link_options(fos_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+# What differs for a stage: a parameter that it does not use yet is no mistake, N in `ambient`, all of
+# them in a stub.
+add_library(fos_stage_options INTERFACE)
+target_compile_options(fos_stage_options INTERFACE -Wno-unused-parameter)

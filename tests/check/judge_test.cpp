@@ -73,7 +73,7 @@ TEST_CASE("the right frame passes at every precision, without a note") {
 TEST_CASE("terms are summed as the stage has them") {
   Frame frame = right_frame(Precision::binary64);
   const auto passes = [&](unsigned terms, long double I) {
-    for (const std::size_t pixel : {1, 2}) {
+    for (const std::size_t pixel : {std::size_t{1}, std::size_t{2}}) {
       frame.channels[3 * pixel] = 200 * I;
       frame.channels[3 * pixel + 1] = 100 * I;
     }
