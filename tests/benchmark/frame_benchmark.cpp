@@ -27,7 +27,8 @@ void bare_frame(const fos::SceneFile& file, std::vector<double>& out) {
   std::size_t next = 0;
   for (int row = 0; row < view.canvas_height; ++row) {
     for (int column = 0; column < view.canvas_width; ++column) {
-      const double Dx = (column - view.canvas_width / 2.0) * view.viewport_width / view.canvas_width;
+      const double Dx =
+          (column - view.canvas_width / 2.0) * view.viewport_width / view.canvas_width;
       const double Dy =
           (view.canvas_height / 2.0 - 1 - row) * view.viewport_height / view.canvas_height;
       const double Dz = view.projection_plane_d;

@@ -26,7 +26,7 @@ std::string in_words(const Expected& expected) {
     if (channels.size() > 1) channels += ", ";
     const std::string low = fmt::format("{:.10g}", channel.low);
     const std::string high = fmt::format("{:.10g}", channel.high);
-    channels += low == high ? low : low + " .. " + high;
+    channels += low == high ? low : fmt::format("{} .. {}", low, high);
   }
   const auto& [r, g, b] = expected.bytes;
   const std::string what = expected.sphere == 0

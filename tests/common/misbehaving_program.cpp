@@ -28,7 +28,8 @@ void send_rows(int rows) {
 }  // namespace
 
 int main() {
-  const std::string kind = std::getenv("MISBEHAVIOUR");
+  const char* variable = std::getenv("MISBEHAVIOUR");
+  const std::string kind = variable == nullptr ? "none" : variable;
   if (kind == "does not read") pause();
   const auto header = fos::encode({2, kind == "wrong size" ? 3 : 2, fos::Precision::binary64});
   while (fos::read_request(std::cin)) {

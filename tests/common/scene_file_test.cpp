@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "catch2.hpp"
-#include "fos/closest_hit.hpp"
+#include "slides.hpp"
 
 using namespace fos;
 
@@ -36,42 +36,6 @@ std::string directional_light(const std::string& direction) {
 constexpr int max_exponent10 = std::numeric_limits<Real>::max_exponent10;  // 38, 308, 4932
 std::string power(double share, const char* digits = "1") {
   return std::string(digits) + "e" + std::to_string(static_cast<int>(share * max_exponent10));
-}
-
-/// The slides' formulas, word for word; whether all they give at every pixel is finite.
-bool slides_stay_finite(const SceneFile& file) {
-  for (int row = 0; row < file.view.canvas_height; ++row) {
-    for (int column = 0; column < file.view.canvas_width; ++column) {
-      const Vec3 O = file.view.camera_position;
-      const Vec3 D = canvas_to_viewport(file.view, column, row);
-      for (const Sphere& each : file.scene.spheres) {
-        const Vec3 CO = O - each.center;
-        const Real a = dot(D, D);
-        const Real b = 2 * dot(CO, D);
-        const Real c = dot(CO, CO) - each.radius * each.radius;
-        const Real disc = b * b - 4 * a * c;
-        if (!std::isfinite(disc)) return false;
-        if (disc < 0) continue;
-        for (const Real sign : {Real(-1), Real(1)}) {
-          const Real t = (-b + sign * std::sqrt(disc)) / (2 * a);
-          if (!std::isfinite(t)) return false;
-          const Vec3 P = O + t * D;
-          Vec3 N = P - each.center;
-          N = N / length(N);
-          Real I = file.scene.ambient_intensity;
-          const auto add = [&](Real intensity, const Vec3& L) {
-            if (dot(N, L) > 0) I += intensity * dot(N, L) / (length(N) * length(L));
-          };
-          for (const auto& light : file.scene.point_lights)
-            add(light.intensity, light.position - P);
-          for (const auto& light : file.scene.directional_lights)
-            add(light.intensity, light.direction);
-          if (!std::isfinite(255 * I)) return false;
-        }
-      }
-    }
-  }
-  return true;
 }
 
 }  // namespace

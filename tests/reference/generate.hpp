@@ -13,6 +13,6 @@ int coarsest_step(const ExactScene& scene);
 
 /// Certifies all pixels, in two threads. If the step is too coarse for one of them, starts again
 /// with a finer one. Throws UndecidedError, StepError (oracle.hpp) and std::range_error.
-Reference generate(const SceneText& scene);
+Reference generate(const SceneText& text);
 
 }  // namespace fos::reference

@@ -49,7 +49,8 @@ void code_regions(Bits& bits, std::vector<StoredPixel>& pixels) {
       bits, pixels.size(),
       [&](std::size_t i) {
         const StoredPixel& pixel = pixels[i];
-        return std::int64_t{4} * pixel.sphere + 2 * (pixel.point != 0) + (pixel.directional != 0);
+        return std::int64_t{4} * pixel.sphere + (pixel.point != 0 ? 2 : 0) +
+               (pixel.directional != 0 ? 1 : 0);
       },
       [&](std::size_t i, std::int64_t region) {
         if constexpr (!Bits::is_writing) {

@@ -25,9 +25,9 @@ std::pair<Real, Real> intersect_ray_sphere(const Vec3& O, const Vec3& D, const S
   const Vec3 CO = is("O_forgotten") ? -sphere.center : O - sphere.center;
   const Real r = sphere.radius;
   const Real a = dot(D, D);
-  const Real b = (is("b_without_2") ? 1 : 2) * dot(CO, D);
+  const Real b = (is("b_without_2") ? Real(1) : Real(2)) * dot(CO, D);
   const Real c = dot(CO, CO) - (is("r_not_squared") ? r : r * r);
-  const Real disc = b * b - (is("without_4") ? 1 : 4) * a * c;
+  const Real disc = b * b - (is("without_4") ? Real(1) : Real(4)) * a * c;
   if (disc < 0 || (is("tangent_misses") && disc <= 0)) return {infinity, infinity};
   const Real below = is("divided_by_2") ? 2 : is("divided_by_a") ? a : 2 * a;
   const Real root = std::sqrt(disc);
