@@ -32,7 +32,7 @@ endforeach()
 
 list(GET FOS_LECTURES -1 _newest)
 set(FOS_LECTURE "${_newest}" CACHE STRING "build the stages up to this lecture")
-math(EXPR _lecture "${FOS_LECTURE}" OUTPUT_FORMAT DECIMAL)  # 03 is 3
+string(REGEX REPLACE "^0+" "" _lecture "${FOS_LECTURE}")  # 03 is 3
 if(NOT _lecture IN_LIST FOS_LECTURES)
   message(FATAL_ERROR "FOS_LECTURE is ${FOS_LECTURE}; labs/stages.json has: ${FOS_LECTURES}")
 endif()

@@ -144,6 +144,13 @@ std::string unanswered(const Job& job, const fos::Answer& answer, int height) {
   }
 }
 
+/// Says that a file is there, by its path from here where it lies below.
+void announce(const std::filesystem::path& path) {
+  const std::filesystem::path from_here = path.lexically_proximate(std::filesystem::current_path());
+  const bool below = !from_here.empty() && *from_here.begin() != "..";
+  std::cout << (below ? from_here : path).string() << '\n' << std::flush;
+}
+
 /// Renders one job to its file. Keeps the frame in `kept` where that is given.
 void render(const Options& options, const Job& job, const fos::Request& request,
             const fos::PictureInfo& info, fos::Frame* kept) {
@@ -178,7 +185,7 @@ void render(const Options& options, const Job& job, const fos::Request& request,
                       std::to_string(not_finite.row)})
               << '\n';
   }
-  std::cout << path.string() << '\n' << std::flush;
+  announce(path);
 }
 
 std::string label(const Job& job) {
@@ -221,7 +228,7 @@ int render_all(int argc, char** argv) {
   if (!panels.empty()) {
     const std::filesystem::path path = options.images / "all.png";
     fos::write_sheet(path, panels, sheet_columns, sheet_panel);
-    std::cout << path.string() << '\n';
+    announce(path);
   }
   return status;
 }

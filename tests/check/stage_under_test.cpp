@@ -35,8 +35,8 @@ Frame ask(const SceneText& scene) {
 
 Channels pixel_of(const Frame& frame, int column, int row) {
   const auto channels = frame.pixel(column, row);
-  if (frame.is_unwritten(column, row)) FAIL("the pixel is not written yet");
-  if (!is_finite(channels)) FAIL("the pixel is not finite");
+  if (frame.is_unwritten(column, row)) FAIL(say(text::check_pixel_unwritten));
+  if (!is_finite(channels)) FAIL(say(text::check_pixel_not_finite));
   return {static_cast<double>(channels[0]), static_cast<double>(channels[1]),
           static_cast<double>(channels[2])};
 }

@@ -25,7 +25,7 @@ struct Bytes {
                               lecture(), terms)) {}
 
   std::array<int, 3> at(int column, int row) const {
-    const auto i = static_cast<std::size_t>(3 * (row * 600 + column));
+    const auto i = 3 * static_cast<std::size_t>(row * 600 + column);
     return {bytes[i], bytes[i + 1], bytes[i + 2]};
   }
 
