@@ -102,7 +102,7 @@ class Reader {
   }
   DecimalTriple color(const Setting& setting) const {
     static const Decimal white = parse_decimal("255");
-    const DecimalTriple channels = triple(setting);
+    DecimalTriple channels = triple(setting);
     for (const Decimal& channel : channels) {
       if (channel.negative || compare(channel, white) > 0) {
         fail(channel.place, say(text::scene_color_range, {setting.key}));
@@ -111,7 +111,7 @@ class Reader {
     return channels;
   }
   DecimalTriple direction(const Setting& setting) const {
-    const DecimalTriple value = triple(setting);
+    DecimalTriple value = triple(setting);
     if (std::all_of(value.begin(), value.end(), [](const Decimal& d) { return d.is_zero(); })) {
       fail(setting.value_place, say(text::scene_zero_direction));
     }
@@ -312,8 +312,8 @@ SceneError scene_error(std::string_view source, std::string_view name, Place pla
   std::replace(shown.begin(), shown.end(), '\t', ' ');
   const std::string caret =
       column <= characters + 1 ? fmt::format("\n  {}^", std::string(column - 1, ' ')) : "";
-  return SceneError(fmt::format("{}:{}:{}: {}: {}\n  {}{}", name, place.line, place.column,
-                                say(text::scene_error), message, shown, caret));
+  return {fmt::format("{}:{}:{}: {}: {}\n  {}{}", name, place.line, place.column,
+                      say(text::scene_error), message, shown, caret)};
 }
 
 }  // namespace fos

@@ -27,8 +27,7 @@ Color trace_ray(const Vec3& O, const Vec3& D, Real t_min, Real t_max, const Scen
   //   inputs  O, D; hit->t and hit->sphere: the closest hit
   //   output  the color of the point that the ray sees
   //   formula slide "Μεταφράζοντας τα παραπάνω σε κώδικα", "με τον νέο κώδικα": the intersection P,
-  //           the normal N there (slide "Το παράδειγμα της σφαίρας : Normals"), then color and
-  //           light
+  //           the normal N there (slide "Το παράδειγμα της σφαίρας : Normals"), the product
   return unwritten("trace_ray");
   // --- your code ends here ---
 }

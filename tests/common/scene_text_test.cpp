@@ -64,10 +64,10 @@ TEST_CASE("an empty file is a valid scene with the defaults") {
 }
 
 TEST_CASE("white space, comments, line ends and a byte-order mark are free") {
-  CHECK(error_in("\xEF\xBB\xBF# Σκηνή\r\n\r\nsphere\r\n{center=(0,0,3)radius=1 color=(1,2,3)}") ==
-        "");
-  CHECK(error_in("canvas_size=1x1# at the end of the file") == "");
-  CHECK(error_in("canvas_size\t=\n16384 # κόμμα\n x # x\n 1e0") == "");
+  CHECK(error_in("\xEF\xBB\xBF# Σκηνή\r\n\r\nsphere\r\n{center=(0,0,3)radius=1 color=(1,2,3)}")
+            .empty());
+  CHECK(error_in("canvas_size=1x1# at the end of the file").empty());
+  CHECK(error_in("canvas_size\t=\n16384 # κόμμα\n x # x\n 1e0").empty());
 }
 
 TEST_CASE("each wrong file is told by line and column, and what would be right") {
