@@ -312,8 +312,8 @@ SceneError scene_error(std::string_view source, std::string_view name, Place pla
   std::replace(shown.begin(), shown.end(), '\t', ' ');
   const std::string caret =
       column <= characters + 1 ? fmt::format("\n  {}^", std::string(column - 1, ' ')) : "";
-  return {fmt::format("{}:{}:{}: {}: {}\n  {}{}", name, place.line, place.column,
-                      say(text::scene_error), message, shown, caret)};
+  return SceneError(fmt::format("{}:{}:{}: {}: {}\n  {}{}", name, place.line, place.column,
+                                say(text::scene_error), message, shown, caret));
 }
 
 }  // namespace fos
