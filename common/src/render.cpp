@@ -19,7 +19,7 @@ void render(const Scene& scene, const View& view, const RowSink& sink) {
   const auto width = static_cast<std::size_t>(view.canvas_width);
   std::vector<Color> colors(width);
   std::vector<std::uint8_t> unwritten(width);
-  // Copies that trace_ray cannot reach, so that what depends on the row alone is computed once a row.
+  // Copies that trace_ray cannot reach, so that what depends on the row alone is computed once.
   const View own = view;
   const Vec3 O = view.camera_position;
   take_unwritten();

@@ -61,7 +61,7 @@ struct Problem {
   std::string message;
 };
 
-// ---- the rules -------------------------------------------------------------------------------
+// ---- the rules; those that must match say what is missing where they do not -----------------
 
 struct comment : pegtl::seq<pegtl::one<'#'>, pegtl::until<pegtl::eolf>> {};
 struct blank : pegtl::star<pegtl::sor<pegtl::one<' ', '\t', '\r', '\n'>, comment>> {};
@@ -76,55 +76,49 @@ struct number_rest : pegtl::ranges<'0', '9', 'a', 'w', 'A', 'Z', '_', '_', '+', 
 struct number : pegtl::seq<pegtl::at<number_start>, pegtl::plus<number_rest>> {};
 
 struct triple_open : pegtl::one<'('> {};
-struct triple_number : pegtl::seq<blank, number> {};
-struct triple_comma : mark<','> {};
-struct triple_close : mark<')'> {};
+struct triple_number : pegtl::seq<blank, number> {
+  static constexpr const Text& complaint = text::scene_expected_triple;
+};
+struct triple_comma : mark<','> {
+  static constexpr const Text& complaint = text::scene_expected_triple;
+};
+struct triple_close : mark<')'> {
+  static constexpr const Text& complaint = text::scene_expected_triple;
+};
 struct triple : pegtl::if_must<triple_open, triple_number, triple_comma, triple_number,
                                triple_comma, triple_number, triple_close> {};
-struct size_number : pegtl::seq<blank, number> {};
+struct size_number : pegtl::seq<blank, number> {
+  static constexpr const Text& complaint = text::scene_expected_size;
+};
 struct number_or_size : pegtl::seq<number, pegtl::opt<pegtl::if_must<mark<'x'>, size_number>>> {};
 
 struct value_content : pegtl::sor<triple, number_or_size, word> {};
-struct value : pegtl::seq<blank, value_content> {};
+struct value : pegtl::seq<blank, value_content> {
+  static constexpr const Text& complaint = text::scene_expected_value;
+};
 struct equals : mark<'='> {};
-struct no_comma : pegtl::not_at<mark<','>> {};
-struct setting_rest : pegtl::if_must<equals, value, no_comma> {};
+struct no_comma : pegtl::not_at<mark<','>> {
+  static constexpr const Text& complaint = text::scene_unexpected_comma;
+};
+struct setting_rest : pegtl::if_must<equals, value, no_comma> {
+  static constexpr const Text& complaint = text::scene_expected_equals;
+};
 struct block_setting : pegtl::seq<identifier, pegtl::must<setting_rest>> {};
 struct block_open : mark<'{'> {};
-struct block_close : mark<'}'> {};
+struct block_close : mark<'}'> {
+  static constexpr const Text& complaint = text::scene_expected_key_or_brace;
+};
 struct block_rest
     : pegtl::seq<block_open, pegtl::star<blank, block_setting>, pegtl::must<block_close>> {};
-struct item_rest : pegtl::sor<setting_rest, block_rest> {};
+struct item_rest : pegtl::sor<setting_rest, block_rest> {
+  static constexpr const Text& complaint = text::scene_expected_equals_or_brace;
+};
 struct item : pegtl::seq<identifier, pegtl::must<item_rest>> {};
 struct items : pegtl::star<blank, item> {};
-struct end : pegtl::seq<blank, pegtl::eof> {};
+struct end : pegtl::seq<blank, pegtl::eof> {
+  static constexpr const Text& complaint = text::scene_expected_item;
+};
 struct file : pegtl::seq<items, pegtl::must<end>> {};
-
-// ---- what is said where a rule that must match does not
-// ------------------------------------------
-
-template <typename Rule>
-constexpr const Text* complaint = nullptr;
-template <>
-constexpr const Text* complaint<end> = &text::scene_expected_item;
-template <>
-constexpr const Text* complaint<item_rest> = &text::scene_expected_equals_or_brace;
-template <>
-constexpr const Text* complaint<setting_rest> = &text::scene_expected_equals;
-template <>
-constexpr const Text* complaint<value> = &text::scene_expected_value;
-template <>
-constexpr const Text* complaint<no_comma> = &text::scene_unexpected_comma;
-template <>
-constexpr const Text* complaint<block_close> = &text::scene_expected_key_or_brace;
-template <>
-constexpr const Text* complaint<triple_number> = &text::scene_expected_triple;
-template <>
-constexpr const Text* complaint<triple_comma> = &text::scene_expected_triple;
-template <>
-constexpr const Text* complaint<triple_close> = &text::scene_expected_triple;
-template <>
-constexpr const Text* complaint<size_number> = &text::scene_expected_size;
 
 /// `text` without the blank space in front: an error points at what stands there, not at the gap.
 std::string_view skip_blank(std::string_view text) {
@@ -144,15 +138,13 @@ template <typename Rule>
 struct Control : pegtl::normal<Rule> {
   template <typename Input, typename... States>
   static void raise(const Input& in, Builder& builder, States&&... /*unused*/) {
-    static_assert(complaint<Rule> != nullptr, "a rule that must match needs a complaint");
     const std::string_view rest(in.current(), static_cast<std::size_t>(in.end() - in.current()));
     throw Problem{builder.places.at(skip_blank(rest).data()),
-                  say(*complaint<Rule>, {builder.identifier})};
+                  say(Rule::complaint, {builder.identifier})};
   }
 };
 
-// ---- actions
-// -------------------------------------------------------------------------------------
+// ---- actions ------------------------------------------------------------------------------
 
 template <typename Rule>
 struct Action {};

@@ -127,7 +127,7 @@ TEST_CASE("what is just inside the limits goes through the slides' formulas and 
   for (const std::string& source : sources) {
     INFO(source);
     const std::string refused = refusal(small + source);
-    CHECK(refused == "");
+    CHECK(refused.empty());
     if (refused.empty()) CHECK(slides_stay_finite(scene_of(small + source)));
   }
 }

@@ -92,5 +92,5 @@ TEST_CASE("a smooth row of terms takes few bits") {
     auto term = static_cast<std::int64_t>(std::ldexp(std::sqrt(1 - x * x), 40));
     coder.code(writer, term);
   }
-  CHECK(writer.take().size() < count * 2);
+  CHECK(writer.take().size() < std::size_t{2} * count);
 }
