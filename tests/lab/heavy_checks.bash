@@ -10,10 +10,10 @@ heavy_checks() {
   step tests ctest own_tests
   step format clang-format check_format
   step shell shellcheck check_shell
-  step gcc g++ build_tree dev -DCMAKE_CXX_COMPILER=g++ -DFOS_WERROR=ON
-  step clang clang++ test_tree clang -DCMAKE_CXX_COMPILER=clang++ -DFOS_WERROR=ON
-  step tidy run-clang-tidy check_tidy
-  step sanitize g++ test_tree sanitize -DFOS_SANITIZE=ON
+  step gcc g++ build_tree dev --preset dev -DCMAKE_CXX_COMPILER=g++
+  step clang clang++ test_tree clang -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DFOS_WERROR=ON
+  step tidy clang-tidy check_tidy
+  step sanitize g++ sanitize_tree
   step fuzz clang++ fuzz_scene
   ((NOT_RUN)) && say lab_steps_not_run "$NOT_RUN"
   say lab_steps_sum "$PASSED" "$FAILED"
@@ -42,24 +42,40 @@ check_format() {
 }
 
 check_shell() {
-  cd "$ROOT" && shellcheck -x lab .ci/run {cmake,common,labs,solutions,tests,docs}/**/*.{sh,bash}
+  cd "$ROOT" &&
+    shellcheck -x -P SCRIPTDIR:. lab .ci/run {cmake,common,labs,solutions,tests,docs}/**/*.{sh,bash}
 }
 
-build_tree() {
-  local folder=$ROOT/build/$1
-  cmake -S "$ROOT" -B "$folder" -G Ninja "${@:2}" && ninja -C "$folder" -k 0
-}
+# build_tree NAME ARGUMENT…: everything, in build/NAME, as CMake is told by the arguments.
+build_tree() { cmake -S "$ROOT" -B "$ROOT/build/$1" "${@:2}" && build "$ROOT/build/$1" all; }
 test_tree() { build_tree "$@" && run_ctest "$ROOT/build/$1"; }
 
+# Without the tests of bash, and the proofs, which start a thousand programs.
+sanitize_tree() {
+  build_tree sanitize --preset sanitize &&
+    run_ctest "$ROOT/build/sanitize" -E '^(command|proof)_'
+}
+
+# Each file once, as its first target compiles it: most are compiled at three precisions.
 check_tidy() {
-  run-clang-tidy -quiet -j "$(nproc)" -p "$ROOT/build/clang" '/(common|labs|solutions|tests)/.*\.cpp$'
+  local folder=$ROOT/build/tidy
+  mkdir -p "$folder" && python3 -c '
+import json, sys
+entries = {}
+for entry in json.load(open(sys.argv[1])):
+    entries.setdefault(entry["file"], entry)
+ours = [entry for file, entry in entries.items() if "/build/" not in file]
+json.dump(ours, open(sys.argv[2], "w"))
+print(*(entry["file"] for entry in ours), sep="\0", end="\0")
+' "$ROOT/build/clang/compile_commands.json" "$folder/compile_commands.json" |
+    xargs -0 -n 1 -P "$(nproc)" clang-tidy -quiet -p "$folder"
 }
 
 # The reader of scene files against a minute of hostile ones, beginning with the committed corpus.
 fuzz_scene() {
   local folder=$ROOT/build/fuzz
   cmake -S "$ROOT" -B "$folder" -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DFOS_FUZZ=ON &&
-    ninja -C "$folder" fuzz_scene &&
+    build "$folder" fuzz_scene &&
     rm -rf "$folder/corpus" && cp -R "$ROOT/tests/common/corpus" "$folder/corpus" &&
     "$folder/bin/fuzz_scene" -max_total_time=60 -print_final_stats=1 \
       -artifact_prefix="$folder/" "$folder/corpus"
