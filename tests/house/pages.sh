@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# pages.sh ROOT: every page exists in both languages with the same headings, and the code that the
+# front pages show stands in the solution, line for line.
+cd "$1" || exit 1
+broken=0
+wrong() {
+  echo "$*"
+  broken=1
+}
+# headings FILE: their levels, in order.
+headings() { awk '/^```/ { code = !code } !code && /^#+ / { print $1 }' "$1"; }
+
+for page in README.md docs/en/*.md; do
+  twin=docs/el/${page##*/}
+  [[ $page == README.md ]] && twin=README.el.md
+  if [[ ! -e $twin ]]; then
+    wrong "$page has no Greek twin, $twin"
+  elif [[ $(headings "$page") != "$(headings "$twin")" ]]; then
+    wrong "$page and $twin do not have the same headings"
+  fi
+done
+for page in docs/el/*.md; do
+  [[ -e docs/en/${page##*/} ]] || wrong "$page has no English twin"
+done
+
+for page in README.md README.el.md; do
+  while IFS= read -r line; do
+    grep -qF -- "$line" solutions/lecture04/point.cpp || wrong "$page shows code of its own: $line"
+  done < <(awk '/^```cpp/ { code = 1; next } /^```/ { code = 0 } code' "$page")
+done
+exit $broken

@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# pages_catches.sh: pages.sh finds each rule of the pages broken, one at a time.
+here=$(cd "${BASH_SOURCE[0]%/*}" && pwd)
+tree=$(mktemp -d) || exit 3
+trap 'rm -rf "$tree"' EXIT
+failed=0
+
+fresh() {
+  rm -rf "${tree:?}"/*
+  mkdir -p "$tree"/{docs/en,docs/el,solutions/lecture04}
+  printf '# A\n\n```cpp\nreturn i;\n```\n\n## B\n' | tee "$tree"/{README,README.el}.md >/dev/null
+  printf '# A\n\n```\n# no heading\n```\n' | tee "$tree"/docs/{en,el}/a.md >/dev/null
+  echo '  return i;' >"$tree/solutions/lecture04/point.cpp"
+}
+expect() {  # expect STATUS WHAT
+  "$here/pages.sh" "$tree" >/dev/null
+  [[ $? == "$1" ]] || { echo "pages.sh: not status $1 for $2" && failed=1; }
+}
+
+fresh && expect 0 'pages that agree'
+fresh && rm "$tree/docs/el/a.md" && expect 1 'a page in English only'
+fresh && rm "$tree/docs/en/a.md" && expect 1 'a page in Greek only'
+fresh && echo '## C' >>"$tree/docs/el/a.md" && expect 1 'a heading in one language only'
+fresh && echo 'return j;' >"$tree/solutions/lecture04/point.cpp" && expect 1 'code that is not there'
+exit $failed
