@@ -1,5 +1,8 @@
 # fos_add_stage(ID): the programs lab_ID and, where it is there, solution_ID, each from one file; and
 # the same at the other precisions, lab_ID_float and so on, which are built when asked for.
+#
+# A file that comes or goes later, say solutions that are unpacked after the labs, is noticed.
+file(GLOB _ CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/labs/*/*.cpp" "${CMAKE_SOURCE_DIR}/solutions/*/*.cpp")
 function(fos_add_stage id)
   foreach(kind IN ITEMS lab solution)
     set(source "${CMAKE_SOURCE_DIR}/${kind}s/${FOS_STAGE_${id}_FILE}")

@@ -71,16 +71,18 @@ foreach(_i RANGE ${_last})
 
   list(TRANSFORM _terms REPLACE "(.+)" "\\1_term")
   list(JOIN _terms " | " _bits)
+  if(NOT _bits)
+    set(_bits 0)
+  endif()
   list(TRANSFORM _scenes REPLACE "(.+)" "\"\\1\"")
   list(JOIN _scenes ", " _scenes)
   string(APPEND _cpp "inline constexpr std::string_view scenes_of_${_id}[] = {${_scenes}};\n")
-  string(APPEND _rows "    {\"${_id}\", ${_number}, {\"${_en}\", \"${_el}\"}, 0${_bits}, "
+  string(APPEND _rows "    {\"${_id}\", ${_number}, {\"${_en}\", \"${_el}\"}, ${_bits}, "
                       "${_points}, scenes_of_${_id}},\n")
   string(APPEND _bash_lectures " [${_id}]=${_number}")
   string(APPEND _bash_files " [${_id}]=${FOS_STAGE_${_id}_FILE}")
 endforeach()
 list(REMOVE_DUPLICATES FOS_REFERENCE_SCENES)
-string(REGEX REPLACE "0([a-z])" "\\1" _rows "${_rows}")
 
 file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/generated/fos/stages.inc" @ONLY CONTENT
 "// Made from labs/stages.json.

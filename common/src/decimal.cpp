@@ -28,9 +28,12 @@ long take_exponent(std::string_view& text) {
   const bool negative = !text.empty() && text.front() == '-';
   take(text, "+-");
   const std::string_view digits = take_digits(text);
+  if (digits.empty()) throw std::invalid_argument("exponent");
+  // Far beyond what any scene may have, and far from what a long cannot hold.
+  constexpr long largest = 1'000'000'000;
   long value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc() || end == digits.data()) throw std::invalid_argument("exponent");
+  const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (result.ec != std::errc() || value > largest) value = largest;
   return negative ? -value : value;
 }
 

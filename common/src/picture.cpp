@@ -4,10 +4,13 @@
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <cstdio>
 #include <fstream>
 #include <system_error>
 
@@ -48,17 +51,23 @@ class CheckedFile : public OIIO::Filesystem::IOProxy {
   std::int64_t tell() override { return out_.tellp(); }
   bool seek(std::int64_t offset) override { return static_cast<bool>(out_.seekp(offset)); }
   std::size_t write(const void* bytes, std::size_t count) override {
+    errno = 0;
     out_.write(static_cast<const char*>(bytes), static_cast<std::streamsize>(count));
-    return out_ ? count : 0;
+    if (!out_ && error_ == 0) error_ = errno;
+    return count;  // OpenImageIO would print its own words for each write that fails
   }
   /// Closes the file; whether everything is in it.
   bool finish() {
+    errno = 0;
     out_.close();
-    return !out_.fail();
+    if (out_.fail() && error_ == 0) error_ = errno;
+    return error_ == 0 && !out_.fail();
   }
+  int error() const { return error_; }
 
  private:
   std::ofstream out_;
+  int error_ = 0;  // errno of the first failure
 };
 
 /// PNG, EXR or TIFF through OpenImageIO, a scanline at a time.
@@ -82,6 +91,21 @@ class Oiio : public PictureWriter::Target {
     require(out_->open(file_.temporary().string(), spec));
   }
 
+  /// A picture that is not finished is thrown away; libpng need not tell the terminal about it.
+  ~Oiio() override {
+    if (finished_) return;
+    std::fflush(stderr);
+    const int kept = dup(STDERR_FILENO);
+    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    dup2(nowhere, STDERR_FILENO);
+    out_.reset();
+    dup2(kept, STDERR_FILENO);
+    close(nowhere);
+    close(kept);
+  }
+  Oiio(const Oiio&) = delete;
+  Oiio& operator=(const Oiio&) = delete;
+
   void write(int row, const std::vector<long double>& colors) override {
     if (type_ == OIIO::TypeDesc::UINT8) {
       std::vector<std::uint8_t> bytes(colors.size());
@@ -102,21 +126,24 @@ class Oiio : public PictureWriter::Target {
   void finish() override {
     require(out_->close());
     require(!checked_ || checked_->finish());
+    finished_ = true;
     file_.commit();
   }
 
  private:
   void require(bool done) const {
     if (done) return;
-    const int error = errno;
+    const int error = checked_ && checked_->error() != 0 ? checked_->error() : errno;
     const std::string words = out_->geterror();
-    throw file_.write_error(words.empty() ? std::generic_category().message(error) : words);
+    const bool known = words.empty() || (checked_ && checked_->error() != 0);
+    throw file_.write_error(known ? std::generic_category().message(error) : words);
   }
 
   WholeFile file_;
   std::unique_ptr<CheckedFile> checked_;
   std::unique_ptr<OIIO::ImageOutput> out_;
   OIIO::TypeDesc type_;
+  bool finished_ = false;
 };
 
 std::vector<long double> shown_row(int row, const Row& pixels) {
@@ -199,10 +226,14 @@ void write_sheet(const std::filesystem::path& path, const std::vector<Panel>& pa
     const OIIO::ImageBuf picture = fitted(panel.bitmap, panel_size);
     OIIO::ImageBufAlgo::paste(sheet, left + (panel_size - picture.spec().width) / 2,
                               top + (panel_size - picture.spec().height) / 2, 0, 0, picture);
+    const int text_width =
+        OIIO::ImageBufAlgo::text_size(panel.label, font_size, "DejaVuSans").width();
+    const int fitted_size =
+        text_width > panel_size ? font_size * panel_size / text_width : font_size;
     // Without the font the sheet is still worth having, so a label that cannot be drawn is left
     // out.
     OIIO::ImageBufAlgo::render_text(sheet, left + panel_size / 2,
-                                    top + panel_size + 3 * font_size / 2, panel.label, font_size,
+                                    top + panel_size + 3 * font_size / 2, panel.label, fitted_size,
                                     "DejaVuSans", ink, OIIO::ImageBufAlgo::TextAlignX::Center,
                                     OIIO::ImageBufAlgo::TextAlignY::Baseline);
   }

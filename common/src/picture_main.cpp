@@ -7,6 +7,7 @@
 #include <getopt.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <iostream>
 #include <sstream>
@@ -171,12 +172,17 @@ void render(const Options& options, const Job& job, const fos::Request& request,
         writer->write(pixels);
         if (kept != nullptr) kept->append(pixels);
         progress.update(row + 1);
-      });
+      },
+      [&] { progress.wait(); });
   // What refused a scene has said why, and every other precision or stage may still take it.
   if (answer.ending == fos::Ending::refused) throw Failure{2, ""};
   if (answer.ending != fos::Ending::complete) {
     const bool ours = answer.ending == fos::Ending::did_not_start;
-    throw Failure{ours ? 3 : 1, unanswered(job, answer, request.height)};
+    std::string message = unanswered(job, answer, request.height);
+    if (std::filesystem::exists(path)) {
+      message.append("\n").append(say(text::tool_older_picture, {path.filename().string()}));
+    }
+    throw Failure{ours ? 3 : 1, message};
   }
   writer->finish();
   if (not_finite.count > 0) {
@@ -196,10 +202,18 @@ std::string label(const Job& job) {
   return solution ? say(text::tool_solution, {name}) : name;
 }
 
+/// What the person typed, which ./lab hands on; else how this program was called.
 std::string command_line(int argc, char** argv) {
-  std::string line = "./lab render";
-  for (int i = 2; i < argc; ++i) line.append(" ").append(argv[i]);
+  const char* typed = std::getenv("FOS_COMMAND");
+  if (typed != nullptr) return typed;
+  std::string line;
+  for (int i = 0; i < argc; ++i) line.append(i == 0 ? "" : " ").append(argv[i]);
   return line;
+}
+
+/// Stands on the sheet for a picture that could not be made, so that the others keep their places.
+fos::Panel no_picture(const Job& job) {
+  return {label(job) + ": " + say(text::tool_no_picture), {1, 1, {200, 200, 200}}};
 }
 
 int render_all(int argc, char** argv) {
@@ -222,7 +236,8 @@ int render_all(int argc, char** argv) {
     } catch (const Failure& failure) {
       if (!failure.message.empty()) std::cerr << failure.message << '\n';
       status = std::max(status, failure.status);
-      if (failure.status == 2) break;  // the scene: the others would refuse it as well
+      if (options.sheet) panels.push_back(no_picture(job));
+      if (failure.status == 2) return status;  // the scene: the others would refuse it as well
     }
   }
   if (!panels.empty()) {

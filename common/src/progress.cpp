@@ -17,14 +17,21 @@ Progress::~Progress() {
 }
 
 void Progress::update(long done) {
-  if (!terminal_ || done <= 0 || Clock::now() < next_) return;
-  next_ = Clock::now() + std::chrono::milliseconds(100);
-  const std::chrono::duration<double> passed = Clock::now() - start_;
-  const double left =
-      passed.count() * static_cast<double>(total_ - done) / static_cast<double>(done);
-  const std::string line = say(
-      text::tool_progress,
-      {label_, std::to_string(100 * done / total_), std::to_string(static_cast<long>(left + 0.5))});
+  const Clock::time_point now = Clock::now();
+  if (done != done_) moved_ = now;
+  done_ = done;
+  if (!terminal_ || now < next_) return;
+  next_ = now + std::chrono::milliseconds(100);
+  const auto seconds = [](Clock::duration time) {
+    return std::to_string(std::chrono::round<std::chrono::seconds>(time).count());
+  };
+  const std::string percent = std::to_string(100 * done / total_);
+  const bool stuck = now - moved_ > std::chrono::seconds(4);
+  const std::string line =
+      stuck       ? say(text::tool_stuck, {label_, percent, seconds(now - moved_)})
+      : done == 0 ? say(text::tool_progress_start, {label_})
+                  : say(text::tool_progress,
+                        {label_, percent, seconds((now - start_) * (total_ - done) / done)});
   std::fprintf(stderr, "\r\033[K%s", line.c_str());
   std::fflush(stderr);
   drawn_ = true;

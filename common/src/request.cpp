@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <stdexcept>
+#include <utility>
 
 #include "fos/text.hpp"
 
@@ -18,24 +19,23 @@ std::string encode(const Request& request) {
                      request.scene_text);
 }
 
-std::optional<Request> read_request(std::istream& in) {
-  if (in.peek() == std::istream::traits_type::eof()) return std::nullopt;
+std::optional<Request> read_request(std::FILE* in) {
   Request request;
-  std::string word;
   std::size_t name_bytes = 0;
   std::size_t text_bytes = 0;
-  in >> word >> request.width >> request.height >> name_bytes >> text_bytes;
-  const bool fits = word == "scene" && in.get() == '\n' && name_bytes <= max_scene_bytes &&
-                    text_bytes <= max_scene_bytes && request.width >= 1 &&
-                    request.width <= max_canvas && request.height >= 1 &&
-                    request.height <= max_canvas;
-  if (fits) {
-    request.scene_name.resize(name_bytes);
-    request.scene_text.resize(text_bytes);
-    in.read(request.scene_name.data(), static_cast<std::streamsize>(name_bytes));
-    in.read(request.scene_text.data(), static_cast<std::streamsize>(text_bytes));
+  const int read = std::fscanf(in, "scene %d %d %zu %zu", &request.width, &request.height,
+                               &name_bytes, &text_bytes);
+  if (read == EOF) return std::nullopt;
+  const auto fits = [](int side) { return side >= 1 && side <= max_canvas; };
+  bool whole = read == 4 && std::fgetc(in) == '\n' && name_bytes <= max_scene_bytes &&
+               text_bytes <= max_scene_bytes && fits(request.width) && fits(request.height);
+  for (auto& [text, bytes] :
+       {std::pair{&request.scene_name, name_bytes}, {&request.scene_text, text_bytes}}) {
+    if (!whole) break;
+    text->resize(bytes);
+    whole = std::fread(text->data(), 1, bytes, in) == bytes;
   }
-  if (!fits || !in) throw std::runtime_error(say(text::stage_bad_request));
+  if (!whole) throw std::runtime_error(say(text::stage_bad_request));
   return request;
 }
 

@@ -141,7 +141,10 @@ class RangeCheck {
   }
   void not_tiny(const Decimal& coordinate, std::string_view key) const {
     if (coordinate.is_zero()) return;
-    at_least(coordinate, key, std::abs(nearest<Wide>(coordinate)), smallest_coordinate());
+    if (std::abs(nearest<Wide>(coordinate)) < smallest_coordinate()) {
+      fail(coordinate.place,
+           say(text::scene_too_small_or_zero, {key, real_name, number(smallest_coordinate())}));
+    }
   }
 
   /// The largest of three numbers, by size.

@@ -1,5 +1,6 @@
-// The main of every stage program: scenes in on standard input, frames out on descriptor 3, for as
-// many requests as come. Standard output and error are the student's, to print what they like.
+// The main of every stage program: scenes in on what was its standard input, frames out on
+// descriptor 3, for as many requests as come. Standard output and error are the student's, to print
+// what they like, and standard input is empty.
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -31,11 +32,7 @@ void write_all(std::span<const char> bytes) {
   }
 }
 
-void answer(const fos::Request& request) {
-  fos::SceneFile file =
-      fos::to_scene(fos::parse_scene_text(request.scene_text, request.scene_name));
-  file.view.canvas_width = request.width;
-  file.view.canvas_height = request.height;
+void render_frame(const fos::SceneFile& file) {
   const fos::FrameHeader header{file.view.canvas_width, file.view.canvas_height, precision};
   write_all(fos::encode(header));
   std::vector<char> bytes(fos::encoded_row_size(header));
@@ -47,6 +44,29 @@ void answer(const fos::Request& request) {
   });
 }
 
+void answer(const fos::Request& request) {
+  fos::SceneFile file;
+  try {
+    file = fos::to_scene(fos::parse_scene_text(request.scene_text, request.scene_name));
+  } catch (const fos::SceneError& error) {
+    std::cerr << error.what() << '\n';
+    write_all(fos::encode(fos::FrameHeader()));
+    return;
+  }
+  file.view.canvas_width = request.width;
+  file.view.canvas_height = request.height;
+  render_frame(file);
+}
+
+/// The requests, with standard input left empty for the stage.
+std::FILE* take_requests() {
+  std::FILE* requests = fdopen(fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, frame_descriptor + 1), "r");
+  if (requests == nullptr || std::freopen("/dev/null", "r", stdin) == nullptr) {
+    throw std::system_error(errno, std::generic_category());
+  }
+  return requests;
+}
+
 }  // namespace
 
 int main() {
@@ -55,12 +75,13 @@ int main() {
     return 2;
   }
   try {
-    while (const auto request = fos::read_request(std::cin)) answer(*request);
-  } catch (const std::system_error& error) {  // nobody reads the frame, or the descriptor is shut
+    std::FILE* requests = take_requests();
+    while (const auto request = fos::read_request(requests)) answer(*request);
+  } catch (const std::system_error& error) {  // nobody reads the frame, or a descriptor is shut
     std::cerr << error.what() << '\n';
     return 3;
   } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 2;
+    std::cerr << fos::say(fos::text::stage_exception, {error.what()}) << '\n';
+    return 1;
   }
 }

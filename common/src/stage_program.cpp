@@ -50,8 +50,13 @@ void close_descriptor(int& descriptor) {
 /// Sends requests and receives frames of one answer, against one deadline.
 class Exchange {
  public:
-  Exchange(int requests, int frames, std::string to_send, std::chrono::milliseconds wall)
-      : requests_(requests), frames_(frames), to_send_(std::move(to_send)), wall_(wall) {}
+  Exchange(int requests, int frames, std::string to_send, std::chrono::milliseconds wall,
+           const WaitSink& on_wait)
+      : requests_(requests),
+        frames_(frames),
+        to_send_(std::move(to_send)),
+        wall_(wall),
+        on_wait_(on_wait) {}
 
   enum class Result { filled, closed, late };
 
@@ -60,9 +65,10 @@ class Exchange {
     while (!bytes.empty()) {
       std::array<pollfd, 2> descriptors{pollfd{frames_, POLLIN, 0},
                                         pollfd{to_send_.empty() ? -1 : requests_, POLLOUT, 0}};
-      const int ready = poll(descriptors.data(), descriptors.size(), milliseconds_left());
-      if (ready < 0 && errno == EINTR) continue;
-      if (ready == 0) return Result::late;
+      const int ready = poll(descriptors.data(), descriptors.size(), 250);
+      if (is_late()) return Result::late;
+      if (ready == 0) on_wait_();
+      if (ready <= 0) continue;
       if (descriptors[1].revents != 0) send_some();
       if (descriptors[0].revents == 0) continue;
       const ssize_t count = read(frames_, bytes.data(), bytes.size());
@@ -82,16 +88,13 @@ class Exchange {
     if (sent < 0 && errno != EAGAIN && errno != EINTR) to_send_.clear();
   }
 
-  int milliseconds_left() const {
-    if (wall_.count() == 0) return -1;
-    const auto left = std::chrono::ceil<std::chrono::milliseconds>(start_ + wall_ - Clock::now());
-    return static_cast<int>(std::max<std::int64_t>(0, left.count()));
-  }
+  bool is_late() const { return wall_.count() > 0 && Clock::now() - start_ > wall_; }
 
   int requests_;
   int frames_;
   std::string to_send_;
   std::chrono::milliseconds wall_;
+  const WaitSink& on_wait_;
   Clock::time_point start_ = Clock::now();
 };
 
@@ -145,7 +148,7 @@ int StageProgram::stop() {
 }
 
 Answer StageProgram::ask(const Request& request, const HeaderSink& on_header,
-                         const ReceivedRow& on_row) {
+                         const ReceivedRow& on_row, const WaitSink& on_wait) {
   Answer answer;
   const auto ended = [&](Ending ending, int detail = 0) {
     answer.ending = ending;
@@ -154,7 +157,7 @@ Answer StageProgram::ask(const Request& request, const HeaderSink& on_header,
   };
   if (process_ < 0 && !start()) return ended(Ending::did_not_start, errno);
 
-  Exchange exchange(requests_, frames_, encode(request), limits_.wall);
+  Exchange exchange(requests_, frames_, encode(request), limits_.wall, on_wait);
   const auto broken = [&](Exchange::Result result) {
     if (result == Exchange::Result::late) {
       stop();
@@ -179,13 +182,13 @@ Answer StageProgram::ask(const Request& request, const HeaderSink& on_header,
       const int signal = WTERMSIG(status);
       return ended(signal == SIGXCPU ? Ending::timed_out : Ending::crashed, signal);
     }
-    const bool refused = WEXITSTATUS(status) == 2 && answer.header.width == 0;
-    return ended(refused ? Ending::refused : Ending::exited, WEXITSTATUS(status));
+    return ended(Ending::exited, WEXITSTATUS(status));
   };
 
   std::array<char, encoded_header_size> header_bytes{};
   auto result = exchange.receive(header_bytes);
   if (result != Exchange::Result::filled) return broken(result);
+  if (header_bytes == encode(FrameHeader())) return ended(Ending::refused);
   const auto header = decode_header(header_bytes);
   if (!header || header->width != request.width || header->height != request.height) {
     stop();

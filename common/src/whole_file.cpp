@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -15,7 +16,7 @@
 namespace fos {
 namespace {
 
-std::string reason(int error) { return std::generic_category().message(error); }
+std::string in_words(int error) { return std::generic_category().message(error); }
 
 // What a signal handler may touch: plain memory. Empty when there is nothing to remove.
 std::array<char, 4096> pending{};
@@ -28,7 +29,7 @@ void remove_pending(int signal) {
 
 void set_pending(const std::string& path) {
   if (path.size() >= pending.size()) {
-    throw FileError(2, say(text::tool_cannot_write, {path, reason(ENAMETOOLONG)}));
+    throw FileError(2, say(text::tool_cannot_write, {path, in_words(ENAMETOOLONG)}));
   }
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     // A signal that is ignored (nohup) stays ignored.
@@ -36,6 +37,7 @@ void set_pending(const std::string& path) {
   }
   // The first byte last, so that the handler never sees half a name.
   std::memcpy(pending.data() + 1, path.c_str() + 1, path.size());
+  std::atomic_signal_fence(std::memory_order_release);
   pending[0] = path[0];
 }
 
@@ -44,20 +46,22 @@ void set_pending(const std::string& path) {
 WholeFile::WholeFile(std::filesystem::path destination) : destination_(std::move(destination)) {
   std::error_code ignored;
   if (std::filesystem::is_directory(destination_, ignored)) {
-    throw FileError(2, say(text::tool_cannot_write, {destination_.string(), reason(EISDIR)}));
+    throw FileError(2, say(text::tool_cannot_write, {destination_.string(), in_words(EISDIR)}));
   }
   const std::filesystem::path folder = destination_.parent_path();
   const std::string name =
       fmt::format(".{}.{}.part", destination_.filename().string(), static_cast<long>(getpid()));
   temporary_ = folder.empty() ? std::filesystem::path(name) : folder / name;
   set_pending(temporary_.string());
-  const int descriptor = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  unlink(temporary_.c_str());  // what a killed process of the same number may have left
+  const int flags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
+  const int descriptor = open(temporary_.c_str(), flags, 0666);
   if (descriptor < 0) {
     const int error = errno;
     pending[0] = '\0';
     const bool disk = error == ENOSPC || error == EDQUOT || error == EIO;
     throw FileError(disk ? 3 : 2,
-                    say(text::tool_cannot_write, {destination_.string(), reason(error)}));
+                    say(text::tool_cannot_write, {destination_.string(), in_words(error)}));
   }
   close(descriptor);
 }
@@ -68,13 +72,14 @@ WholeFile::~WholeFile() {
 }
 
 void WholeFile::commit() {
-  if (std::rename(temporary_.c_str(), destination_.c_str()) != 0) throw write_error(reason(errno));
+  if (std::rename(temporary_.c_str(), destination_.c_str()) != 0)
+    throw write_error(in_words(errno));
   temporary_.clear();
   pending[0] = '\0';
 }
 
-FileError WholeFile::write_error(const std::string& why) const {
-  return FileError(3, say(text::tool_cannot_write, {destination_.string(), why}));
+FileError WholeFile::write_error(const std::string& reason) const {
+  return FileError(3, say(text::tool_cannot_write, {destination_.string(), reason}));
 }
 
 }  // namespace fos

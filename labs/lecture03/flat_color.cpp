@@ -22,7 +22,7 @@ Color trace_ray(const Vec3& O, const Vec3& D, Real t_min, Real t_max, const Scen
   // --- your code starts here ---
   // TODO: what the ray sees.
   //   inputs  O, D: the ray; t_min, t_max: the closed interval of t that counts;
-  //           scene.spheres, each with .color; scene.background_color
+  //           scene.spheres, each a const Sphere& with .color; scene.background_color
   //   output  a color
   //   formula slide "Μεταφράζοντας τα παραπάνω σε κώδικα": TraceRay
   return unwritten("trace_ray");

@@ -24,7 +24,7 @@ Color trace_ray(const Vec3& O, const Vec3& D, Real t_min, Real t_max, const Scen
   }
   // --- your code starts here ---
   // TODO: the new ending of TraceRay.
-  //   inputs  O, D; hit->t and hit->sphere: the closest hit
+  //   inputs  O, D; hit->t; hit->sphere->center, hit->sphere->color: the closest hit
   //   output  the color of the point that the ray sees
   //   formula slide "Μεταφράζοντας τα παραπάνω σε κώδικα", "με τον νέο κώδικα": the intersection P,
   //           the normal N there (slide "Το παράδειγμα της σφαίρας : Normals"), the product

@@ -11,7 +11,7 @@ Real compute_lighting(const Vec3& P, const Vec3& N, const Scene& scene) {
   //           with .intensity and .position
   //   output  I
   //   formula slide "Η εξίσωση της διάχυτης ανάκλασης", with L from slide "Σημειακό φως": the light
-  //           vector ends at the light. And what of a term with <N, L> < 0?
+  //           vector ends at the light. And what of a term with <N, L> < 0, or of L = 0?
   return unwritten("compute_lighting");
   // --- your code ends here ---
 }
@@ -24,7 +24,7 @@ Color trace_ray(const Vec3& O, const Vec3& D, Real t_min, Real t_max, const Scen
   }
   // --- your code starts here ---
   // TODO: the new ending of TraceRay.
-  //   inputs  O, D; hit->t and hit->sphere: the closest hit
+  //   inputs  O, D; hit->t; hit->sphere->center, hit->sphere->color: the closest hit
   //   output  the color of the point that the ray sees
   //   formula slide "Μεταφράζοντας τα παραπάνω σε κώδικα", "με τον νέο κώδικα": the intersection P,
   //           the normal N there (slide "Το παράδειγμα της σφαίρας : Normals"), the product

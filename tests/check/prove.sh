@@ -14,22 +14,23 @@ esac
 
 right=(as_on_the_slides half_b geometric normalised_D normalised_D_simply factored_c stable_root fma)
 [[ $stage == flat_color || $stage == ambient ]] || right+=(max_with_0 normalised_L sqrt_of_squares
-  N_over_r N_not_normalised lights_backwards)
+  N_over_r N_not_normalised lights_backwards static_lights)
 [[ $stage == flat_color ]] || right+=(color_per_light clamped)
 
 wrong=(O_forgotten b_without_2 r_not_squared without_4 tangent_misses divided_by_2 near_root_only far_root_only t_min_ignored t_min_behind upside_down last_sphere first_sphere
   last_of_equals black_background channels_swapped)
 [[ $stage == ambient ]] || wrong+=(divided_by_a)  # it changes t alone, which ambient light ignores
 if [[ $stage == flat_color ]]; then
-  wrong+=(open_interval)
+  wrong+=(open_interval t_min_nearly far_is_1000 centre_behind_skipped eight_spheres whole_background)
 else
-  wrong+=(truncated rounded not_a_number ambient_forgotten ambient_twice color_plus_I
+  wrong+=(truncated rounded not_a_number ambient_forgotten ambient_twice
+    ambient_twice_alone lit_without_lights color_plus_I
     light_without_color color_without_light cut_off_at_1 gamma a_percent_more)
 fi
 if [[ $terms == *[pd]* ]]; then
   wrong+=(absolute_cosine negative_kept L_not_normalised divided_by_L_squared N_not_normalised
     angle_for_cosine cosine_squared falloff all_or_nothing last_light_only lights_multiplied
-    brightest_light first_light_only ambient_per_light P_is_D N_inward N_is_P N_is_D)
+    brightest_light three_lights hue_kept first_light_only ambient_per_light P_is_D N_inward N_is_P N_is_D)
 fi
 [[ $terms == *p* ]] && wrong+=(P_without_O L_reversed L_is_position light_moved distance_to_camera)
 [[ $terms == *d* ]] && wrong+=(direction_negated direction_is_position directional_forgotten)
@@ -48,7 +49,9 @@ for suffix in '' _float; do
     passes "variant_wrong$suffix" && { echo "wrong, but passes: $FOS_MISTAKE$suffix" && bad=1; }
   done
 done
-export FOS_MISTAKE=none  # without a mistake the wrong program is right
-passes variant_wrong || { echo "the wrong program fails without a mistake too" && bad=1; }
+export FOS_MISTAKE=none  # without a mistake the wrong programs are right
+for program in variant_wrong variant_wrong_float; do
+  passes "$program" || { echo "$program fails without a mistake too" && bad=1; }
+done
 echo "$stage: ${#right[@]} right and ${#wrong[@]} wrong programs, each at two precisions"
 exit $bad

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -124,6 +125,8 @@ bool write_comparison(const std::filesystem::path& picture_program,
   // The shell gets the paths as variables, so that no character in them means anything to it.
   setenv("FOS_SHEET_PROGRAM", picture_program.c_str(), 1);
   setenv("FOS_SHEET_PATH", path.c_str(), 1);
+  // A picture program that is not there must not take the report with it.
+  std::signal(SIGPIPE, SIG_IGN);
   std::FILE* sheet = popen(R"("$FOS_SHEET_PROGRAM" sheet 3 400 "$FOS_SHEET_PATH")", "w");
   if (sheet == nullptr) return false;
   for (const Panel& panel : {Panel{say(text::check_yours), to_bitmap(frame)},

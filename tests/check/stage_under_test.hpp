@@ -22,8 +22,8 @@ Channels pixel_of(std::string_view scene_text, int column, int row);
 /// before a black background.
 Channels pixel_ahead(std::string_view spheres_and_lights);
 
-/// Fails the test where `actual` is not within 0.01 of `expected`: wide enough for float, and far
-/// below the half of a byte that could hide a mistake.
+/// Fails the test where `actual` is not within 0.01 of `expected`, both cut off at 255: wide enough
+/// for float, and far below the half of a byte that could hide a mistake.
 void check_channels(const Channels& actual, const Channels& expected);
 
 /// A pixel of the lecture's scene, on its own canvas of 600 x 600.

@@ -1,3 +1,5 @@
+#include <sstream>
+
 #include "catch2.hpp"
 #include "fos/stage.hpp"
 
@@ -25,4 +27,10 @@ TEST_CASE("dot, length and normalize are GLM's") {
   CHECK(dot(Vec3(1, 2, 3), Vec3(4, 5, 6)) == 32);
   CHECK(length(Vec3(2, 3, 6)) == 7);
   CHECK(normalize(Vec3(0, 0, 5)) == Vec3(0, 0, 1));
+}
+
+TEST_CASE("a vector can be printed") {
+  std::ostringstream out;
+  out << Vec3(1, -2, 0.5) << '!';
+  CHECK(out.str() == "(1, -2, 0.5)!");
 }

@@ -31,8 +31,13 @@ int main() {
   const std::string kind = variable == nullptr ? "none" : variable;
   if (kind == "does not read") pause();
   const auto header = fos::encode({2, kind == "wrong size" ? 3 : 2, fos::Precision::binary64});
-  while (fos::read_request(std::cin)) {
-    if (kind == "refuses") return 2;
+  while (fos::read_request(stdin)) {
+    if (kind == "exits with 2") return 2;
+    if (kind == "refuses") {
+      const auto refusal = fos::encode(fos::FrameHeader());
+      send(refusal.data(), refusal.size());
+      continue;
+    }
     if (kind == "says passed and exits") {
       std::cout << "100% tests passed\n" << std::flush;
       _exit(0);

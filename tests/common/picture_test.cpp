@@ -160,6 +160,19 @@ TEST_CASE("when the disk takes no more, that is said and nothing is left") {
   }
 }
 
+TEST_CASE("a label may be Greek") {
+  // A letter that is lost on the way is drawn as another one, or as a box.
+  const Folder folder;
+  const auto bytes_of = [&](const char* label) {
+    write_sheet(folder.path / "a.png", {{label, {1, 1, {0, 0, 0}}}}, 1, 100);
+    std::ifstream in(folder.path / "a.png", std::ios::binary);
+    return std::string{std::istreambuf_iterator<char>(in), {}};
+  };
+  CHECK(bytes_of("δ") != bytes_of("4"));
+  CHECK(bytes_of("δ") != bytes_of("ε"));
+  CHECK(bytes_of("Ο") == bytes_of("O"));  // the Greek and the Latin one look the same
+}
+
 TEST_CASE("a sheet shows every panel") {
   const Folder folder;
   const Panel panel{"Σημειακό φως", {2, 2, {255, 0, 0, 255, 0, 0, 255, 0, 0, 255, 0, 0}}};
@@ -172,5 +185,5 @@ TEST_CASE("a sheet shows every panel") {
   REQUIRE(in->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, pixels.data()));
   long red = 0;
   for (std::size_t i = 0; i < pixels.size(); i += 3) red += pixels[i] == 255 && pixels[i + 1] == 0;
-  CHECK(red == 3 * 100 * 100);
+  CHECK(red == 3L * 100 * 100);
 }

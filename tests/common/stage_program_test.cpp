@@ -57,6 +57,15 @@ TEST_CASE("what never ends is ended, by the clock or by its processor time") {
   CHECK(ask("loops", {std::chrono::seconds(30), 1}).answer.ending == Ending::timed_out);
 }
 
+TEST_CASE("whoever waits is told, again and again") {
+  setenv("MISBEHAVIOUR", "sleeps", 1);
+  StageProgram program(FOS_MISBEHAVING, {std::chrono::milliseconds(900), 0});
+  int waits = 0;
+  program.ask(
+      {"name", "text", 2, 2}, [](const FrameHeader&) {}, [](int, const Row&) {}, [&] { ++waits; });
+  CHECK(waits >= 2);
+}
+
 TEST_CASE("exit status and text prove nothing: only a whole frame counts") {
   CHECK(ask("says passed and exits").answer.ending == Ending::exited);
   const Outcome ends = ask("ends");
@@ -72,6 +81,7 @@ TEST_CASE("what is not a frame of the size asked for is malformed") {
 
 TEST_CASE("a scene that the program cannot carry is refused, which is no crash") {
   CHECK(ask("refuses").answer.ending == Ending::refused);
+  CHECK(ask("exits with 2").answer.ending == Ending::exited);
 }
 
 TEST_CASE("a program that is not there is not the stage's fault") {

@@ -5,8 +5,8 @@ broken=0
 
 # includes FOLDER_OR_FILE…: its own headers as it includes them, as `file:header`.
 includes() {
-  grep -rEo --include='*.cpp' --include='*.hpp' '^ *# *include *"[^"]+"' "$@" 2>/dev/null |
-    sed -E 's/: *# *include *"/:/; s/"$//'
+  grep -rEo --include='*.cpp' --include='*.hpp' '^ *# *include *("[^"]+"|<fos/[^>]+>)' "$@" \
+    2>/dev/null | sed -E 's/: *# *include *["<]/:/; s/[">]$//'
 }
 # rule WORDS…: reports the lines on standard input, if there are any.
 rule() {
@@ -32,7 +32,7 @@ rule 'scene.hpp knows vectors and nothing else' < <(
   grep -EH '^ *# *include' common/include/fos/scene.hpp | grep -vE '<vector>|"fos/math.hpp"')
 rule 'OpenImageIO stands behind the picture door' < <(
   grep -rlE '^ *# *include *[<"]OpenImageIO' common labs solutions tests |
-    grep -vE '^(common/src/picture|tests/common/picture_test)\.cpp$')
+    grep -vE '^(common/src/(picture|oiio_utf8)|tests/common/picture_test)\.cpp$')
 rule 'no test links a stage' < <(
   find tests -name CMakeLists.txt -exec grep -EnH 'target_link_libraries.*\b(lab|solution)_' {} +)
 exit $broken

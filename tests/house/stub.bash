@@ -2,14 +2,16 @@
 
 # hole_code FILE: what stands between the markers, without comments and blank lines.
 hole_code() {
-  awk '/--- your code ends here ---/ { inside = 0 }
+  awk '{ sub(/\r$/, "") }
+       /--- your code ends here ---/ { inside = 0 }
        inside && !/^ *\/\// && NF
        /--- your code starts here ---/ { inside = 1 }' "$1"
 }
 
 # without_holes FILE: everything else, markers included.
 without_holes() {
-  awk '/--- your code ends here ---/ { inside = 0 }
+  awk '{ sub(/\r$/, "") }
+       /--- your code ends here ---/ { inside = 0 }
        !inside
        /--- your code starts here ---/ { inside = 1 }' "$1"
 }

@@ -68,7 +68,7 @@ ours = [entry for file, entry in entries.items() if "/build/" not in file]
 json.dump(ours, open(sys.argv[2], "w"))
 print(*(entry["file"] for entry in ours), sep="\0", end="\0")
 ' "$ROOT/build/clang/compile_commands.json" "$folder/compile_commands.json" |
-    xargs -0 -n 1 -P "$(nproc)" clang-tidy -quiet -p "$folder"
+    xargs -0 -n 1 -P "$(nproc)" clang-tidy -quiet -p "$folder" 2> >(grep -v ' warnings generated')
 }
 
 # The reader of scene files against a minute of hostile ones, beginning with the committed corpus.

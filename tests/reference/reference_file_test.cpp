@@ -11,7 +11,7 @@ namespace {
 
 /// A small reference with something of everything.
 Reference sample() {
-  Reference reference{"a scene\nwith \0 bytes", 7, 5, -40, {}, {}};
+  Reference reference{std::string("a scene\nwith \0 bytes", 20), 7, 5, -40, {}, {}};
   for (int i = 0; i < 35; ++i) {
     StoredPixel pixel;
     if (i % 7 > 1) {

@@ -40,7 +40,9 @@ struct Frame {
 /// How a frame travels: the header, then each row as its channels in the program's own Real (the
 /// machine's byte order) followed by a byte a pixel that is 1 where the pixel is unwritten.
 constexpr std::size_t encoded_header_size = 24;
+/// A header of 0 x 0 pixels says that the program cannot carry the scene, and has said why.
 std::array<char, encoded_header_size> encode(const FrameHeader& header);
+/// Nothing where the bytes are no header of a frame.
 std::optional<FrameHeader> decode_header(std::span<const char, encoded_header_size> bytes);
 
 /// Bytes a row takes, and the row that they write.

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <ostream>
 #include <type_traits>
 
 #ifndef FOS_REAL  // the build sets it to float, double or long double, for a whole program at once
@@ -49,6 +50,11 @@ constexpr fos::Vec3 operator*(const fos::Vec3& v, T number) {
 template <fos::OtherNumber T>
 constexpr fos::Vec3 operator/(const fos::Vec3& v, T number) {
   return v / static_cast<fos::Real>(number);
+}
+
+/// `(1, 2, 3)`, for a student's own `std::cout << N`.
+inline std::ostream& operator<<(std::ostream& out, const fos::Vec3& v) {
+  return out << '(' << v.x << ", " << v.y << ", " << v.z << ')';
 }
 
 }  // namespace glm

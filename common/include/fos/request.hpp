@@ -1,7 +1,7 @@
 // What a stage program is asked: a scene, on its standard input. There is no other kind of request.
 #pragma once
 
-#include <istream>
+#include <cstdio>
 #include <optional>
 #include <string>
 
@@ -24,6 +24,6 @@ std::string encode(const Request& request);
 
 /// The next request; nothing at the end of the input. Throws std::runtime_error where there is
 /// something else.
-std::optional<Request> read_request(std::istream& in);
+std::optional<Request> read_request(std::FILE* in);
 
 }  // namespace fos

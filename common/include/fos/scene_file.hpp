@@ -26,7 +26,7 @@ struct SceneFile {
 ///                                      coordinates of camera and lights and the steps of the
 ///                                      canvas
 ///   I ⟨N,L⟩ and color × I stay finite  2 I max(1, r) |L| <= max,  1024 ΣI <= max
-/// They hold for N normalised or not. Derived in docs/en/numerics.md.
+/// They hold for N normalised or not; beside the code in scene_file.cpp is why.
 SceneFile to_scene(const SceneText& text);
 
 }  // namespace fos

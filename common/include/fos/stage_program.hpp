@@ -14,7 +14,7 @@ namespace fos {
 /// How an answer ended.
 enum class Ending {
   complete,       ///< the whole frame came
-  refused,        ///< the program exited with status 2 before a frame: it could not carry the scene
+  refused,        ///< the program cannot carry the scene, and has said why on standard error
   crashed,        ///< killed by a signal: `detail`
   timed_out,      ///< over its limits
   exited,         ///< exited in mid-frame, with status `detail`
@@ -34,6 +34,8 @@ struct Limits {
   int cpu_seconds = 0;                ///< for the program's whole life; 0 for none
 };
 
+/// Called about four times a second while nothing comes.
+using WaitSink = std::function<void()>;
 using HeaderSink = std::function<void(const FrameHeader&)>;
 using ReceivedRow = std::function<void(int row, const Row&)>;
 
@@ -48,7 +50,9 @@ class StageProgram {
 
   /// Asks for a frame; hands its header and each row on as they come. What the sinks throw passes
   /// through.
-  Answer ask(const Request& request, const HeaderSink& on_header, const ReceivedRow& on_row);
+  Answer ask(
+      const Request& request, const HeaderSink& on_header, const ReceivedRow& on_row,
+      const WaitSink& on_wait = [] {});
 
   /// The same, kept in memory: as much of the frame as came.
   Answer ask(const Request& request, Frame& frame);

@@ -29,6 +29,12 @@ TEST_CASE("the other kinds of light are for later stages", "[code]") {
                  {60, 30, 15});
 }
 
+TEST_CASE("what is met at t = 1 exactly is lit too", "[code]") {
+  check_channels(pixel_ahead("sphere { center = (0, 0, 0)  radius = 1  color = (200, 100, 50) }"
+                             "light { type = ambient  intensity = 0.3 }"),
+                 {60, 30, 15});
+}
+
 TEST_CASE("pixels of the lecture's scene", "[code]") {
   check_channels(lecture_pixel(300, 400), {51, 0, 0});
   check_channels(lecture_pixel(500, 300), {0, 0, 51});

@@ -63,6 +63,27 @@ TEST_CASE("point lights are for other stages", "[code]") {
                  {20, 10, 5});
 }
 
+TEST_CASE("without any light it is dark", "[code]") { check_channels(lit(""), {0, 0, 0}); }
+
+TEST_CASE("ambient light alone is I_A", "[code]") {
+  check_channels(lit("light { type = ambient  intensity = 0.3 }"), {60, 30, 15});
+}
+
+TEST_CASE("five lights of a kind are five terms", "[code]") {
+  // 3/5 of each of 0.05, 0.1, 0.15, 0.2 and 0.25.
+  check_channels(lit("light { type = directional  intensity = 0.05  direction = (4, 0, -3) }"
+                     "light { type = directional  intensity = 0.1   direction = (4, 0, -3) }"
+                     "light { type = directional  intensity = 0.15  direction = (4, 0, -3) }"
+                     "light { type = directional  intensity = 0.2   direction = (4, 0, -3) }"
+                     "light { type = directional  intensity = 0.25  direction = (4, 0, -3) }"),
+                 {90, 45, 22.5});
+}
+
+TEST_CASE("more light than white is cut off in each channel by itself", "[code]") {
+  check_channels(lit("light { type = directional  intensity = 1.5  direction = (0, 0, -1) }"),
+                 {300, 150, 75});
+}
+
 TEST_CASE("pixels of the lecture's scene", "[code]") {
   // x = 0, y = -50: t = 12/5, P = (0, -1/5, 12/5), N = (0, 4/5, -3/5), L = (1, 4, 4),
   // <N, L> = 4/5: I = 0.2 + 0.2 * 0.8 / sqrt(33) = 0.22785.

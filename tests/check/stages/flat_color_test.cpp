@@ -47,6 +47,18 @@ TEST_CASE("what lies between the camera and the projection plane is not seen", "
       blue);
 }
 
+TEST_CASE("just in front of the projection plane is not seen either", "[code]") {
+  // t is 0.75 and 0.95.
+  check_channels(
+      ahead({"sphere { center = (0, 0, 0.85)  radius = 0.1  color = (1, 2, 3) }", blue_behind}),
+      blue);
+}
+
+TEST_CASE("however far away a sphere is, it is seen", "[code]") {
+  check_channels(ahead({"sphere { center = (0, 0, 2e6)  radius = 5e5  color = (10, 20, 255) }"}),
+                 blue);
+}
+
 TEST_CASE("t_min itself counts: the interval is closed", "[code]") {
   // The camera is at the centre, so the ray leaves the sphere at t = 1 exactly.
   check_channels(ahead({"sphere { center = (0, 0, 0)  radius = 1  color = (10, 20, 255) }"}), blue);
@@ -54,6 +66,18 @@ TEST_CASE("t_min itself counts: the interval is closed", "[code]") {
 
 TEST_CASE("from inside a sphere its far side is seen", "[code]") {
   check_channels(ahead({"sphere { center = (0, 0, 0)  radius = 5  color = (10, 20, 255) }"}), blue);
+}
+
+TEST_CASE("from inside, also where the sphere's centre is behind the camera", "[code]") {
+  check_channels(ahead({"sphere { center = (0, 0, -2)  radius = 5  color = (10, 20, 255) }"}),
+                 blue);
+}
+
+TEST_CASE("colors are real numbers, the background's too", "[code]") {
+  constexpr std::string_view sky = "canvas_size = 2 x 2  background_color = (0.5, 127.25, 254.75)";
+  check_channels(pixel_of(sky, 1, 0), {0.5, 127.25, 254.75});
+  check_channels(ahead({"sphere { center = (0, 0, 3)  radius = 1  color = (0.5, 1.25, 9.75) }"}),
+                 {0.5, 1.25, 9.75});
 }
 
 TEST_CASE("a ray that only touches a sphere meets it", "[code]") {

@@ -79,6 +79,27 @@ TEST_CASE("directional lights are for later stages", "[code]") {
                  {20, 10, 5});
 }
 
+TEST_CASE("without any light it is dark", "[code]") { check_channels(lit(""), {0, 0, 0}); }
+
+TEST_CASE("ambient light alone is I_A", "[code]") {
+  check_channels(lit("light { type = ambient  intensity = 0.3 }"), {60, 30, 15});
+}
+
+TEST_CASE("five lights of a kind are five terms", "[code]") {
+  // 3/5 of each of 0.05, 0.1, 0.15, 0.2 and 0.25.
+  check_channels(lit("light { type = point  intensity = 0.05  position = (4, 0, -1) }"
+                     "light { type = point  intensity = 0.1   position = (4, 0, -1) }"
+                     "light { type = point  intensity = 0.15  position = (4, 0, -1) }"
+                     "light { type = point  intensity = 0.2   position = (4, 0, -1) }"
+                     "light { type = point  intensity = 0.25  position = (4, 0, -1) }"),
+                 {90, 45, 22.5});
+}
+
+TEST_CASE("more light than white is cut off in each channel by itself", "[code]") {
+  check_channels(lit("light { type = point  intensity = 1.5  position = (0, 0, 0) }"),
+                 {300, 150, 75});
+}
+
 TEST_CASE("pixels of the lecture's scene", "[code]") {
   // x = 0, y = -50: t = 12/5, P = (0, -1/5, 12/5), N = (0, 4/5, -3/5), L = (2, 6/5, -12/5),
   // <N, L> = 12/5: I = 0.2 + 0.6 * 2.4 / sqrt(11.2) = 0.63028.

@@ -57,7 +57,8 @@ Real term(Real intensity, const Vec3& P, const Vec3& N, const Vec3& L) {
 Real compute_lighting(const Vec3& P, const Vec3& N, const Scene& scene) {
   Real i = has('a') && !is("ambient_forgotten") ? scene.ambient_intensity : 0;
   if (is("ambient_twice")) i *= 2;
-  auto add = [&, first = true](Real part) mutable {
+  auto add = [&, first = true, count = 0](Real part) mutable {
+    if (is("three_lights") && ++count > 3) return;
     if (is("last_light_only")) {
       i = part;
     } else if (is("lights_multiplied")) {
@@ -87,6 +88,9 @@ Real compute_lighting(const Vec3& P, const Vec3& N, const Scene& scene) {
       add(term(light.intensity, P, N, L));
     }
   }
+  const std::size_t others = scene.point_lights.size() + scene.directional_lights.size();
+  if (is("ambient_twice_alone") && others == 0) i *= 2;
+  if (is("lit_without_lights") && others == 0 && scene.ambient_intensity == 0) i = 1;
   if (is("cut_off_at_1")) i = std::min<Real>(1, i);
   if (is("gamma")) i = std::sqrt(std::max<Real>(0, i));
   if (is("a_percent_more")) i *= Real(1.01);
@@ -114,9 +118,12 @@ Color trace_ray(const Vec3& O, const Vec3& D, Real t_min, Real t_max, const Scen
   if (is("t_min_ignored")) t_min = 0;
   if (is("t_min_behind")) t_min = -infinity;
   const Vec3 ray = is("upside_down") ? Vec3(D.x, -D.y, D.z) : D;
-  Real closest_t = is("last_sphere") ? 0 : infinity;
+  if (is("t_min_nearly")) t_min = Real(0.9);
+  Real closest_t = is("last_sphere") ? 0 : is("far_is_1000") ? 1000 : infinity;
   const Sphere* closest = nullptr;
   for (const Sphere& sphere : scene.spheres) {
+    if (is("eight_spheres") && &sphere - scene.spheres.data() >= 8) break;
+    if (is("centre_behind_skipped") && sphere.center.z < O.z) continue;
     const auto [t1, t2] = intersect_ray_sphere(O, ray, sphere);
     for (const Real t : {std::min(t1, t2), std::max(t1, t2)}) {
       const bool counts = is("open_interval") ? t_min < t && t < t_max : t_min <= t && t <= t_max;
@@ -128,8 +135,11 @@ Color trace_ray(const Vec3& O, const Vec3& D, Real t_min, Real t_max, const Scen
       if (is("last_sphere") && counts) break;
     }
   }
+  if (closest == nullptr && is("whole_background")) return floor(scene.background_color);
   if (closest == nullptr) return is("black_background") ? Color(0) : scene.background_color;
   Color color = shade(O, ray, closest_t, *closest, scene);
+  const Real brightest = std::max({color.r, color.g, color.b});
+  if (is("hue_kept") && brightest > 255) color = color * (255 / brightest);
   if (is("channels_swapped")) std::swap(color.r, color.b);
   if (is("truncated")) color = floor(color);
   if (is("rounded")) color = round(color);
