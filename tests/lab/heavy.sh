@@ -47,6 +47,9 @@ check "all" status 0
 check "all: the last line" closing '8 passed, 0 failed'
 check "all: no step is left out" not out 'NOT RUN'
 check "all: the fuzzer runs a minute" called 'max_total_time=60'
+check "all: the sanitizers" called 'build/sanitize --preset sanitize'
+check "all: warnings are errors, for g++" called 'build/dev --preset dev -DCMAKE_CXX_COMPILER=g++'
+check "all: warnings are errors, for clang++" called '-DCMAKE_CXX_COMPILER=clang++ -DFOS_WERROR=ON'
 check "all: the linter sees each file" called 'a b.cpp'
 for tool in clang-format shellcheck clang-tidy; do
   echo "$tool" >"$STATE/fails"

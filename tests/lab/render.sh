@@ -36,6 +36,8 @@ mkdir -p "$WORK/my files" && touch "$WORK/my files/a & b.scene"
 lab render --output 'my files/x.exr' point --precision float --scene 'my files/a & b.scene'
 check "paths with spaces, relative to the person" asked render --scene 'my files/a & b.scene' \
   --images "$images" --output 'my files/x.exr' "point:point:$(bin lab_point_float)"
+lab render point --output X.TIFF
+check "an extension in capitals" status 0
 lab render point --precision=extended
 check "extended" built "fos_picture lab_point_extended"
 lab render point --precision=float --precision=double

@@ -69,6 +69,7 @@ wrong "one stage" render point ambient --output x.png
 wrong "'x.jpg'" render point --output x.jpg
 wrong "'x'" render point --output x
 wrong "''" render point --output=
+wrong "'.png'" render point --output .png
 wrong "'folder.png'" render point --output folder.png
 wrong "'no/such/'" render point --output no/such/x.png
 wrong "'everything'" test everything
