@@ -8,7 +8,9 @@ failed=0
 fresh() {
   rm -rf "${tree:?}"/*
   mkdir -p "$tree"/{docs/en,docs/el,labs/lecture04}
+  # shellcheck disable=SC2016 # the backticks are Markdown's
   printf '# A\n\n```cpp\nreturn i;\n```\n\n## B\n' | tee "$tree"/{README,README.el}.md >/dev/null
+  # shellcheck disable=SC2016 # the backticks are Markdown's
   printf '# A\n\n```\n# no heading\n```\n' | tee "$tree"/docs/{en,el}/a.md >/dev/null
   echo '  return i;' >"$tree/labs/lecture04/point.cpp"
 }
