@@ -6,15 +6,16 @@
 OIIO_NAMESPACE_BEGIN
 namespace Strutil {
 
-void utf8_to_unicode(string_view text, std::vector<uint32_t>& unicode) {
-  for (std::size_t i = 0; i < text.size();) {
-    const auto first = static_cast<unsigned char>(text[i++]);
+// NOLINTNEXTLINE(performance-unnecessary-value-param): the library's own signature
+void utf8_to_unicode(string_view str, std::vector<uint32_t>& uvec) {
+  for (std::size_t i = 0; i < str.size();) {
+    const auto first = static_cast<unsigned char>(str[i++]);
     int following = first < 0x80 ? 0 : first < 0xE0 ? 1 : first < 0xF0 ? 2 : 3;
     uint32_t character = following == 0 ? first : first & (0x3FU >> following);
-    for (; following > 0 && i < text.size(); --following) {
-      character = character << 6U | (static_cast<unsigned char>(text[i++]) & 0x3FU);
+    for (; following > 0 && i < str.size(); --following) {
+      character = character << 6U | (static_cast<unsigned char>(str[i++]) & 0x3FU);
     }
-    unicode.push_back(character);
+    uvec.push_back(character);
   }
 }
 
