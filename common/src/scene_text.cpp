@@ -4,13 +4,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <numeric>
 #include <optional>
 #include <utility>
 
 #include "fos/text.hpp"
 #include "scene_grammar.hpp"
+#include "utf8.hpp"
 
 namespace fos {
 namespace {
@@ -237,28 +237,6 @@ void read_blocks(const Reader& reader, const std::vector<Block>& blocks, SceneTe
   }
 }
 
-/// The length of the UTF-8 character at the front of `text`, 0 where there is none (RFC 3629).
-std::size_t utf8_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
-  };
-  const auto continues = [&](std::size_t i, unsigned low = 0x80, unsigned high = 0xBF) {
-    return byte(i) >= low && byte(i) <= high;
-  };
-  const unsigned first = byte(0);
-  if (first < 0x80) return first >= 0x20 || first == '\t' || first == '\r' || first == '\n' ? 1 : 0;
-  if (first >= 0xC2 && first <= 0xDF) return continues(1) ? 2 : 0;
-  if (first >= 0xE0 && first <= 0xEF) {
-    const bool second = continues(1, first == 0xE0 ? 0xA0 : 0x80, first == 0xED ? 0x9F : 0xBF);
-    return second && continues(2) ? 3 : 0;
-  }
-  if (first >= 0xF0 && first <= 0xF4) {
-    const bool second = continues(1, first == 0xF0 ? 0x90 : 0x80, first == 0xF4 ? 0x8F : 0xBF);
-    return second && continues(2) && continues(3) ? 4 : 0;
-  }
-  return 0;
-}
-
 void require_text(const Reader& reader, std::string_view source) {
   Place place;
   while (!source.empty()) {
@@ -271,14 +249,6 @@ void require_text(const Reader& reader, std::string_view source) {
     if (source[0] == '\n') place = {place.line + 1, 1};
     source.remove_prefix(length);
   }
-}
-
-/// The line `number` of the source, without its line end.
-std::string_view line_of(std::string_view source, int number) {
-  for (; number > 1; --number)
-    source.remove_prefix(std::min(source.find('\n'), source.size() - 1) + 1);
-  source = source.substr(0, source.find('\n'));
-  return source.substr(0, source.find('\r'));
 }
 
 }  // namespace
@@ -296,24 +266,6 @@ SceneText parse_scene_text(std::string_view source, std::string name) {
   read_header(reader, document.header, scene);
   read_blocks(reader, document.blocks, scene);
   return scene;
-}
-
-SceneError scene_error(std::string_view source, std::string_view name, Place place,
-                       std::string_view message) {
-  const auto column = static_cast<std::size_t>(place.column);
-  std::string shown;
-  std::size_t characters = 0;  // not bytes: a caret under Greek text must stand under its character
-  for (std::string_view line = line_of(source, place.line); !line.empty() && characters < 200;) {
-    const std::size_t length = utf8_length(line);
-    shown += length == 0 ? "?" : std::string(line.substr(0, length));
-    line.remove_prefix(std::max<std::size_t>(length, 1));
-    ++characters;
-  }
-  std::replace(shown.begin(), shown.end(), '\t', ' ');
-  const std::string caret =
-      column <= characters + 1 ? fmt::format("\n  {}^", std::string(column - 1, ' ')) : "";
-  return SceneError(fmt::format("{}:{}:{}: {}: {}\n  {}{}", name, place.line, place.column,
-                                say(text::scene_error), message, shown, caret));
 }
 
 }  // namespace fos
