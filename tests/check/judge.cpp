@@ -74,7 +74,7 @@ std::vector<Expected> Judge::expected(Pixel pixel, reference::Precision precisio
   return answers;
 }
 
-bool Judge::accepts(Pixel pixel, reference::Precision precision,
+bool Judge::accepts(const reference::Accepted& accepted, reference::Precision precision,
                     std::span<const long double, 3> channels) const {
   const auto lies_in = [&](const Answer& answer) {
     const Expected expected = expect(answer, precision);
@@ -86,7 +86,6 @@ bool Judge::accepts(Pixel pixel, reference::Precision precision,
     }
     return true;
   };
-  const reference::Accepted accepted = reference_.accepted(pixel.column, pixel.row, precision);
   return !accepted.judged || lies_in(accepted.certified) ||
          std::any_of(accepted.alternatives.begin(), accepted.alternatives.end(), lies_in);
 }
@@ -99,14 +98,23 @@ Verdict Judge::judge(const Frame& frame) const {
   for (Pixel pixel; pixel.row < reference_.height; ++pixel.row) {
     for (pixel.column = 0; pixel.column < reference_.width; ++pixel.column) {
       const auto channels = frame.pixel(pixel.column, pixel.row);
+      const auto accepted_at = [&](Precision precision) {
+        return reference_.accepted(pixel.column, pixel.row, precision);
+      };
       if (!is_finite(channels)) {
         count(verdict.not_finite, pixel);
-      } else if (frame.is_unwritten(pixel.column, pixel.row)) {
+        continue;
+      }
+      if (frame.is_unwritten(pixel.column, pixel.row)) {
         count(verdict.unwritten, pixel);
-      } else if (!reference_.accepted(pixel.column, pixel.row, own).judged) {
+        continue;
+      }
+      const reference::Accepted accepted = accepted_at(own);
+      if (!accepted.judged) {
         count(verdict.not_judged, pixel);
-      } else if (!accepts(pixel, own, channels)) {
-        const bool to_float = !is_float && accepts(pixel, Precision::float24, channels);
+      } else if (!accepts(accepted, own, channels)) {
+        const bool to_float =
+            !is_float && accepts(accepted_at(Precision::float24), Precision::float24, channels);
         count(to_float ? verdict.only_float : verdict.wrong, pixel);
       }
     }

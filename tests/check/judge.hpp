@@ -68,7 +68,7 @@ class Judge {
   Frame exact() const;
 
  private:
-  bool accepts(Pixel pixel, reference::Precision precision,
+  bool accepts(const reference::Accepted& accepted, reference::Precision precision,
                std::span<const long double, 3> channels) const;
   Expected expect(const reference::Answer& answer, reference::Precision precision) const;
 

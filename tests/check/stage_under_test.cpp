@@ -77,6 +77,11 @@ Channels pixel_ahead(std::string_view spheres_and_lights) {
   return pixel_of(scene, 1, 0);
 }
 
+Channels lit(std::string_view lights) {
+  return pixel_ahead(fmt::format(
+      "sphere {{ center = (0, 0, 3)  radius = 1  color = (200, 100, 50) }}\n{}", lights));
+}
+
 void check_channels(const Channels& actual, const Channels& expected) {
   for (std::size_t channel = 0; channel < 3; ++channel) {
     INFO("channel " << channel << " of red, green, blue");

@@ -22,6 +22,10 @@ Channels pixel_of(std::string_view scene_text, int column, int row);
 /// before a black background.
 Channels pixel_ahead(std::string_view spheres_and_lights);
 
+/// The same with a sphere of color (200, 100, 50) and these lights: it is met at P = (0, 0, 2),
+/// where N = (0, 0, -1).
+Channels lit(std::string_view lights);
+
 /// Fails the test where `actual` is not within 0.01 of `expected`, both cut off at 255: wide enough
 /// for float, and far below the half of a byte that could hide a mistake.
 void check_channels(const Channels& actual, const Channels& expected);

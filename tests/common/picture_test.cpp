@@ -13,18 +13,13 @@
 #include <limits>
 
 #include "catch2.hpp"
+#include "folder.hpp"
 #include "fos/whole_file.hpp"
 
 using namespace fos;
 namespace fs = std::filesystem;
 
 namespace {
-
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("fos picture " + std::to_string(getpid()));
-  Folder() { fs::create_directory(path); }
-  ~Folder() { fs::remove_all(path); }
-};
 
 /// 3 x 2 pixels with what is difficult: over 255, negative, ties, NaN, unwritten.
 const std::vector<Row> rows{

@@ -8,19 +8,12 @@
 #include <fstream>
 
 #include "catch2.hpp"
+#include "folder.hpp"
 
 using namespace fos;
 namespace fs = std::filesystem;
 
 namespace {
-
-/// An empty folder of its own, gone at the end.
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("fos whole_file " + std::to_string(getpid()));
-  Folder() { fs::create_directory(path); }
-  ~Folder() { fs::remove_all(path); }
-  long entries() const { return std::distance(fs::directory_iterator(path), {}); }
-};
 
 std::string contents(const fs::path& path) {
   std::ifstream in(path);

@@ -3,15 +3,6 @@
 
 using namespace fos;
 
-namespace {
-
-constexpr std::string_view sphere =
-    "sphere { center = (0, 0, 3)  radius = 1  color = (200, 100, 50) }\n";
-
-Channels lit(std::string_view lights) { return pixel_ahead(std::string(sphere).append(lights)); }
-
-}  // namespace
-
 TEST_CASE("color times the ambient intensity", "[code]") {
   check_channels(lit("light { type = ambient  intensity = 0.3 }"), {60, 30, 15});
 }

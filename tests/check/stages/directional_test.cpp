@@ -1,18 +1,9 @@
 // directional: I_A + the sum over the directional lights, with one L for the whole scene.
 //
-// The sphere is met at P = (0, 0, 2), where N = (0, 0, -1).
+// lit() looks at P = (0, 0, 2), where N = (0, 0, -1).
 #include "stage_under_test.hpp"
 
 using namespace fos;
-
-namespace {
-
-constexpr std::string_view sphere =
-    "sphere { center = (0, 0, 3)  radius = 1  color = (200, 100, 50) }\n";
-
-Channels lit(std::string_view lights) { return pixel_ahead(std::string(sphere).append(lights)); }
-
-}  // namespace
 
 TEST_CASE("L parallel to N: all of the light is reflected", "[code]") {
   check_channels(lit("light { type = directional  intensity = 0.5  direction = (0, 0, -3) }"),
