@@ -3,9 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
+#include "fos/nearest.hpp"
 #include "fos/text.hpp"
 
 namespace fos {
@@ -18,25 +18,6 @@ using Limits = std::numeric_limits<Real>;
 constexpr std::string_view real_name = std::same_as<Real, float>    ? "float"
                                        : std::same_as<Real, double> ? "double"
                                                                     : "long double";
-
-/// The T nearest to an exact decimal; infinity or 0 where it lies outside T's range.
-template <typename T>
-T nearest(const Decimal& decimal) {
-  if (decimal.is_zero()) return 0;
-  const std::string text = fmt::format("{}e{}", decimal.digits, decimal.exponent);
-  T value = 0;
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (result.ec == std::errc::result_out_of_range) {
-    const bool large = static_cast<long>(decimal.digits.size()) + decimal.exponent > 0;
-    value = large ? std::numeric_limits<T>::infinity() : 0;
-  }
-  return decimal.negative ? -value : value;
-}
-
-template <typename T = Real>
-glm::vec<3, T> nearest(const DecimalTriple& triple) {
-  return {nearest<T>(triple[0]), nearest<T>(triple[1]), nearest<T>(triple[2])};
-}
 
 using WideVec3 = glm::vec<3, Wide>;
 
@@ -213,20 +194,20 @@ SceneFile to_scene(const SceneText& text) {
   view.viewport_width = nearest<Real>(text.viewport_size[0]);
   view.viewport_height = nearest<Real>(text.viewport_size[1]);
   view.projection_plane_d = nearest<Real>(text.projection_plane_d);
-  view.camera_position = nearest(text.camera_position);
+  view.camera_position = nearest<Real>(text.camera_position);
 
   Scene& scene = file.scene;
-  scene.background_color = nearest(text.background_color);
+  scene.background_color = nearest<Real>(text.background_color);
   for (const SphereText& sphere : text.spheres) {
     scene.spheres.push_back(
-        {nearest(sphere.center), nearest<Real>(sphere.radius), nearest(sphere.color)});
+        {nearest<Real>(sphere.center), nearest<Real>(sphere.radius), nearest<Real>(sphere.color)});
   }
   for (const LightText& light : text.lights) {
     const Real intensity = nearest<Real>(light.intensity);
     if (light.kind == LightKind::ambient) {
       scene.ambient_intensity = intensity;
     } else if (light.kind == LightKind::point) {
-      scene.point_lights.push_back({intensity, nearest(light.vector)});
+      scene.point_lights.push_back({intensity, nearest<Real>(light.vector)});
     } else {
       scene.directional_lights.push_back({intensity, rescaled(light.vector)});
     }
