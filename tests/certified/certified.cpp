@@ -1,0 +1,109 @@
+#include "certified.hpp"
+
+#include <algorithm>
+
+#include "double_pixel.hpp"
+#include "exact_pixel.hpp"
+#include "float_row.hpp"
+
+namespace fos::certified {
+namespace {
+
+/// Rows whose spheres are looked for together.
+constexpr int band = 8;
+
+/// For each band of rows the spheres that it may show, the nearest first.
+std::vector<std::vector<const CameraSphere*>> bands(const CameraScene& scene, const Plan& plan) {
+  std::vector<std::vector<const CameraSphere*>> lists(
+      static_cast<std::size_t>((scene.height + band - 1) / band));
+  for (const int i : plan.spheres) {
+    const CameraSphere& sphere = scene.spheres[static_cast<std::size_t>(i)];
+    const int first = plan.within_outlines ? sphere.first_row / band : 0;
+    const int end =
+        plan.within_outlines ? (sphere.end_row + band - 1) / band : static_cast<int>(lists.size());
+    for (int k = first; k < end; ++k) lists[static_cast<std::size_t>(k)].push_back(&sphere);
+  }
+  return lists;
+}
+
+}  // namespace
+
+Renderer::Renderer(const SceneText& scene, reference::Terms terms)
+    : exact_(reference::to_exact(scene)),
+      terms_(terms),
+      scene_(camera_scene(exact_, terms)),
+      plan_(certified::plan(scene_)) {}
+
+Renderer::Renderer(const SceneText& scene, reference::Terms terms, Plan plan)
+    : exact_(reference::to_exact(scene)),
+      terms_(terms),
+      scene_(camera_scene(exact_, terms)),
+      plan_(std::move(plan)) {}
+
+Effort Renderer::render(Picture& picture) const {
+  picture.width = scene_.width;
+  picture.height = scene_.height;
+  const auto row_bytes = static_cast<std::size_t>(scene_.width) * 3;
+  picture.rgb.resize(row_bytes * static_cast<std::size_t>(scene_.height) + row_padding);
+
+  FloatLights lights = float_lights(scene_, plan_.replaced);
+  const bool in_float = plan_.in_float && lights.suit;
+  RowTask task{scene_.width,
+               static_cast<float>(scene_.kx),
+               0,
+               static_cast<float>(scene_.d),
+               static_cast<float>(scene_.longest_D * (1 + 1e-6)),
+               scene_.background,
+               plan_.shade,
+               &lights,
+               {}};
+  std::vector<std::uint8_t> background(row_bytes);
+  for (std::size_t i = 0; i < row_bytes; ++i) background[i] = scene_.background[i % 3];
+
+  const auto lists = bands(scene_, plan_);
+  std::vector<RowSphere> spheres;
+  std::vector<int> undecided;
+  Effort effort;
+  for (int row = 0; row < scene_.height; ++row) {
+    std::uint8_t* const rgb = picture.rgb.data() + row_bytes * static_cast<std::size_t>(row);
+    std::copy(background.begin(), background.end(), rgb);
+    spheres.clear();
+    for (const CameraSphere* sphere : lists[static_cast<std::size_t>(row / band)]) {
+      if (plan_.within_outlines && (row < sphere->first_row || row >= sphere->end_row)) continue;
+      RowSphere along;
+      if (!along_row(scene_, *sphere, scene_.y(row), plan_.within_outlines, along)) continue;
+      along.in_float &= in_float;
+      spheres.push_back(along);
+    }
+    std::stable_sort(spheres.begin(), spheres.end(),
+                     [](const auto& a, const auto& b) { return a.nearest_t < b.nearest_t; });
+    task.Y = static_cast<float>(scene_.ky * scene_.y(row));
+    task.spheres = spheres;
+    undecided.clear();
+    float_row(task, rgb, undecided);
+    effort.in_float += scene_.width - static_cast<long>(undecided.size());
+    finish_row(row, spheres, undecided, rgb, effort);
+  }
+  picture.rgb.resize(row_bytes * static_cast<std::size_t>(scene_.height));
+  return effort;
+}
+
+void Renderer::finish_row(int row, const std::vector<RowSphere>& spheres,
+                          const std::vector<int>& undecided, std::uint8_t* rgb,
+                          Effort& effort) const {
+  std::vector<const CameraSphere*> candidates;
+  for (const int column : undecided) {
+    candidates.clear();
+    for (const RowSphere& each : spheres) {
+      if (each.first_column <= column && column < each.end_column) {
+        candidates.push_back(each.sphere);
+      }
+    }
+    std::optional<Bytes> bytes = double_pixel(scene_, candidates, scene_.x(column), scene_.y(row));
+    ++(bytes ? effort.in_double : effort.exact);
+    if (!bytes) bytes = exact_pixel(exact_, terms_, column, row).bytes;
+    std::copy(bytes->begin(), bytes->end(), rgb + static_cast<std::ptrdiff_t>(column) * 3);
+  }
+}
+
+}  // namespace fos::certified

@@ -1,0 +1,53 @@
+// Pictures whose every byte is proven, at the speed of SIMD floats.
+//
+// Floats compute each pixel with a bound of their error; the pixels that the bound does not decide
+// go to doubles with a running bound, and what is still open to exact arithmetic. So every byte is
+// the one that the exact formulas give, and nearly all cost what they cost without a proof.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "fos/scene_text.hpp"
+#include "plan.hpp"
+#include "row_sphere.hpp"
+
+namespace fos::certified {
+
+struct Picture {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgb;  ///< 3 bytes a pixel, rows from the top
+};
+
+/// Which arithmetic decided the pixels.
+struct Effort {
+  long in_float = 0;
+  long in_double = 0;
+  long exact = 0;
+};
+
+class Renderer {
+ public:
+  /// For a stage whose I sums up `terms`. The plan changes what is computed, never a byte. Throws
+  /// std::range_error for numbers beyond 10^±10000.
+  Renderer(const SceneText& scene, reference::Terms terms);
+  Renderer(const SceneText& scene, reference::Terms terms, Plan plan);
+
+  /// Renders the picture, by one thread. Throws reference::UndecidedError.
+  Effort render(Picture& picture) const;
+
+  const CameraScene& scene() const { return scene_; }
+  const Plan& plan() const { return plan_; }
+
+ private:
+  void finish_row(int row, const std::vector<RowSphere>& spheres, const std::vector<int>& undecided,
+                  std::uint8_t* rgb, Effort& effort) const;
+
+  reference::ExactScene exact_;
+  reference::Terms terms_;
+  CameraScene scene_;
+  Plan plan_;
+};
+
+}  // namespace fos::certified

@@ -1,0 +1,37 @@
+#include "float_lights.hpp"
+
+#include "row_sphere.hpp"
+
+namespace fos::certified {
+
+FloatLights float_lights(const CameraScene& scene, const std::vector<double>& replaced) {
+  const double U = u;
+  FloatLights lights;
+  lights.suit = scene.ambient == 0 || (scene.ambient >= 0x1p-40 && scene.ambient <= 0x1p40);
+  lights.ambient = static_cast<float>(scene.ambient);
+  lights.error_share += static_cast<float>(1.1 * U * static_cast<double>(scene.lights.size()));
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const CameraLight& light = scene.lights[i];
+    const bool as_directional = !light.is_point || replaced[i] >= 0;
+    if (light.I < 0x1p-40 || light.I > 0x1p40 || (!as_directional && light.M_length > 0x1p40)) {
+      lights.suit = false;
+      return lights;
+    }
+    const auto I = static_cast<float>(light.I);
+    if (as_directional) {
+      const double difference = light.is_point ? 1.01 * replaced[i] : 0;
+      const auto scaled = [&](std::size_t axis) {
+        return static_cast<float>(light.I * light.direction[axis] / light.direction_length);
+      };
+      lights.directional.push_back(
+          {I, scaled(0), scaled(1), scaled(2), static_cast<float>(light.I * (5 * U + difference))});
+    } else {
+      const auto M = [&](std::size_t axis) { return static_cast<float>(light.M[axis]); };
+      lights.point.push_back({I, M(0), M(1), M(2), static_cast<float>(1.1 * U * light.M_length),
+                              static_cast<float>(13 * U * light.I)});
+    }
+  }
+  return lights;
+}
+
+}  // namespace fos::certified

@@ -1,0 +1,276 @@
+#include "float_row.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+// The instruction sets to compile for; which one runs is decided at run time.
+#define HWY_DISABLED_TARGETS (HWY_SSE4 | HWY_AVX3_DL)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "float_row.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace fos::certified::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Tag = hn::ScalableTag<float>;
+using V = hn::Vec<Tag>;
+using M = hn::Mask<Tag>;
+constexpr Tag tag;
+
+HWY_INLINE V set(float value) { return hn::Set(tag, value); }
+HWY_INLINE M none() { return hn::FirstN(tag, 0); }
+
+/// Errors are bounded to first order; where they are not small, nothing is decided.
+constexpr float small = 1.0F / 64;
+
+/// What a group of neighbouring pixels sees, with t in [low, high].
+struct Nearest {
+  V t;
+  V error;  ///< of t, relative
+  V low;
+  V high;
+  V sphere;  ///< which of the winners, -1 for none
+  M unsure;
+};
+
+/// A sphere's hit in each pixel, as far as floats can tell.
+struct Hit {
+  V t;
+  V error;  ///< of t, relative
+  M sure;
+  M missed;
+};
+
+HWY_INLINE Hit hit(const RowTask& task, const RowSphere& s, V x) {
+  // The letters, and every bound, are row_sphere.hpp's.
+  const V delta = hn::Sub(hn::Sub(x, set(s.xi)), set(s.xf));
+  const V T = hn::Mul(set(s.k), hn::Mul(delta, delta));
+  const V disc = hn::Sub(set(s.q), T);
+  const V E = hn::MulAdd(set(T_share), hn::Abs(T), set(s.E0));
+  const V h = hn::MulAdd(set(s.hx), x, set(s.h0));
+  const V root = hn::Sqrt(hn::Max(disc, set(0)));
+  const V g = hn::Add(hn::Abs(h), root);
+  Hit result{hn::Div(set(s.c), g), set(0), hn::Gt(disc, E), hn::Lt(disc, hn::Neg(E))};
+  result.error = hn::MulAdd(hn::Mul(set(s.Bt), E), hn::ApproximateReciprocal(root), set(s.At));
+  if (s.inside) {
+    const V X = hn::Mul(set(task.kx), x);
+    const V a = hn::MulAdd(X, X, set(s.a0));
+    result.t = hn::IfThenElse(hn::Ge(h, set(0)), hn::Div(g, a), result.t);
+    // From t = 1 on; nearer, not at all.
+    const V slack = hn::Mul(result.t, result.error);
+    result.missed = hn::Or(result.missed, hn::Lt(hn::Add(result.t, slack), set(1)));
+    result.sure = hn::And(result.sure, hn::Ge(hn::Sub(result.t, slack), set(1)));
+  } else {
+    const M behind = hn::Lt(h, set(0));
+    result.missed = hn::Or(result.missed, behind);
+    result.sure = hn::AndNot(behind, result.sure);
+  }
+  return result;
+}
+
+/// Takes the sphere in where it is the nearest so far; false where it is that nowhere.
+HWY_INLINE bool take_in(const RowTask& task, const RowSphere& s, float number, V x, M open,
+                        Nearest& nearest) {
+  const Hit h = hit(task, s, x);
+  const V low = hn::NegMulAdd(h.t, h.error, h.t);
+  const V high = hn::MulAdd(h.t, h.error, h.t);
+  const M nearer = hn::And(h.sure, hn::Lt(high, nearest.low));
+  const M farther = hn::Or(h.missed, hn::And(h.sure, hn::Gt(low, nearest.high)));
+  nearest.unsure = hn::Or(nearest.unsure, hn::And(open, hn::Not(hn::Or(nearer, farther))));
+  nearest.t = hn::IfThenElse(nearer, h.t, nearest.t);
+  nearest.error = hn::IfThenElse(nearer, h.error, nearest.error);
+  nearest.low = hn::IfThenElse(nearer, low, nearest.low);
+  nearest.high = hn::IfThenElse(nearer, high, nearest.high);
+  nearest.sphere = hn::IfThenElse(nearer, set(number), nearest.sphere);
+  return !hn::AllFalse(tag, nearer);
+}
+
+/// Sums terms and the bounds of their errors.
+struct Light {
+  HWY_INLINE explicit Light(float ambient)
+      : I(set(ambient)), lost(set(0)), error(set(0)), lit(none()) {}
+
+  HWY_INLINE void add(V term, V bound) {
+    const M on = hn::Gt(term, hn::Neg(bound));
+    lit = hn::Or(lit, on);
+    error = hn::Add(error, hn::IfThenElseZero(on, bound));
+    // Kahan's sum: its error does not grow with the number of lights.
+    const V part = hn::Sub(hn::IfThenElseZero(on, hn::Max(term, set(0))), lost);
+    const V sum = hn::Add(I, part);
+    lost = hn::Sub(hn::Sub(sum, I), part);
+    I = sum;
+  }
+
+  V I;
+  V lost;
+  V error;
+  M lit;
+};
+
+struct Pixels {
+  std::array<V, 3> bytes;
+  M decided;
+};
+
+HWY_INLINE V dot(V ax, V ay, V az, V bx, V by, V bz) {
+  return hn::MulAdd(ax, bx, hn::MulAdd(ay, by, hn::Mul(az, bz)));
+}
+
+HWY_INLINE Pixels shaded(const RowTask& task, const RowSphere& s, V x, V t, V t_error) {
+  const FloatLights& lights = *task.lights;
+  const V Px = hn::Mul(t, hn::Mul(set(task.kx), x));
+  const V Py = hn::Mul(t, set(task.Y));
+  const V Pz = hn::Mul(t, set(task.d));
+  const V inv_r = set(s.inv_r);
+  const V Nx = hn::MulSub(Px, inv_r, set(s.Wx));
+  const V Ny = hn::MulSub(Py, inv_r, set(s.Wy));
+  const V Nz = hn::MulSub(Pz, inv_r, set(s.Wz));
+  const V eP = hn::Mul(hn::Mul(t, set(task.longest_D)), hn::Add(t_error, set(4 * u)));
+  const V eN = hn::MulAdd(eP, inv_r, set(s.n0));
+  M good = hn::And(hn::Le(t_error, set(small)), hn::Le(eN, set(small)));
+
+  Light light(lights.ambient);
+  for (const FloatDirectional& each : lights.directional) {
+    const V term = dot(Nx, Ny, Nz, set(each.x), set(each.y), set(each.z));
+    light.add(term, hn::MulAdd(set(each.I), eN, set(each.rest)));
+  }
+  for (const FloatPoint& each : lights.point) {
+    const V Lx = hn::Sub(set(each.x), Px);
+    const V Ly = hn::Sub(set(each.y), Py);
+    const V Lz = hn::Sub(set(each.z), Pz);
+    const V inverse = hn::Div(set(1), hn::Sqrt(dot(Lx, Ly, Lz, Lx, Ly, Lz)));
+    const V w = hn::Mul(hn::Add(eP, set(each.m)), inverse);
+    good = hn::And(good, hn::Le(w, set(small)));
+    const V cosine = hn::Mul(dot(Nx, Ny, Nz, Lx, Ly, Lz), inverse);
+    const V bound = hn::MulAdd(set(each.I), hn::MulAdd(set(2.1F), w, eN), set(each.rest));
+    light.add(hn::Mul(set(each.I), cosine), bound);
+  }
+
+  // The bytes at both ends of what I may be. (Of Min's arguments the second is kept if it is NaN.)
+  const V error = hn::MulAdd(set(lights.error_share), light.error, hn::Mul(set(8 * u), light.I));
+  const CameraSphere& sphere = *s.sphere;
+  std::array<V, 3> shades;
+  M same = good;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(sphere.shade_count); ++i) {
+    const V color = set(static_cast<float>(sphere.shades[i]));
+    const V channel = hn::Mul(color, light.I);
+    const V low = hn::Round(hn::Min(set(255), hn::NegMulAdd(color, error, channel)));
+    shades[i] = hn::Round(hn::Min(set(255), hn::MulAdd(color, error, channel)));
+    same = hn::And(same, hn::Eq(low, shades[i]));
+  }
+  std::array<V, 3> bytes;
+  for (std::size_t i = 0; i < 3; ++i) {
+    bytes[i] = sphere.shade_of[i] < 0
+                   ? set(0)
+                   : hn::IfThenElse(light.lit, shades[static_cast<std::size_t>(sphere.shade_of[i])],
+                                    set(static_cast<float>(sphere.unlit[i])));
+  }
+  return {bytes, hn::Or(same, hn::AndNot(light.lit, good))};
+}
+
+HWY_INLINE Pixels unlit(const RowSphere& s) {
+  const auto byte = [&](std::size_t i) { return set(static_cast<float>(s.sphere->unlit[i])); };
+  return {{byte(0), byte(1), byte(2)}, hn::Not(none())};
+}
+
+HWY_INLINE auto to_u8(V bytes) {
+  const hn::Rebind<std::uint8_t, Tag> tag8;
+  return hn::DemoteTo(tag8, hn::NearestInt(bytes));
+}
+
+/// The pixels from `column` on, as many as a vector has lanes.
+void group(const RowTask& task, std::span<const int> candidates, int column, std::uint8_t* rgb,
+           std::vector<int>& undecided) {
+  const int lanes = static_cast<int>(hn::Lanes(tag));
+  const V columns = hn::Iota(tag, static_cast<float>(column));
+  const V x = hn::Sub(columns, set(static_cast<float>(task.width) / 2));
+  std::array<const RowSphere*, 32> winners{};
+  std::size_t count = 0;
+  Nearest nearest{set(0), set(0), set(1e38F), set(1e38F), set(-1), none()};
+  for (const int candidate : candidates) {
+    const RowSphere& s = task.spheres[static_cast<std::size_t>(candidate)];
+    if (s.end_column <= column || s.first_column >= column + lanes) continue;
+    const M open = hn::Not(hn::Lt(nearest.high, set(s.nearest_t)));
+    if (hn::AllFalse(tag, open)) break;
+    if (!s.in_float || count == winners.size()) {
+      const M there = hn::And(hn::Ge(columns, set(static_cast<float>(s.first_column))),
+                              hn::Lt(columns, set(static_cast<float>(s.end_column))));
+      nearest.unsure = hn::Or(nearest.unsure, hn::And(open, there));
+    } else if (take_in(task, s, static_cast<float>(count), x, open, nearest)) {
+      winners[count++] = &s;
+    }
+  }
+
+  M unsure = nearest.unsure;
+  if (count > 0) {
+    std::array<V, 3> bytes{set(task.background[0]), set(task.background[1]),
+                           set(task.background[2])};
+    for (std::size_t i = 0; i < count; ++i) {
+      const M here = hn::Eq(nearest.sphere, set(static_cast<float>(i)));
+      if (hn::AllFalse(tag, here)) continue;
+      const Pixels pixels =
+          task.shade ? shaded(task, *winners[i], x, nearest.t, nearest.error) : unlit(*winners[i]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        bytes[k] = hn::IfThenElse(here, pixels.bytes[k], bytes[k]);
+      }
+      unsure = hn::Or(unsure, hn::AndNot(pixels.decided, here));
+    }
+    hn::StoreInterleaved3(to_u8(bytes[0]), to_u8(bytes[1]), to_u8(bytes[2]),
+                          hn::Rebind<std::uint8_t, Tag>(), rgb + 3 * column);
+  }
+  if (!hn::AllFalse(tag, unsure)) {
+    std::array<std::uint8_t, 8> bits{};
+    hn::StoreMaskBits(tag, unsure, bits.data());
+    for (int i = 0; i < lanes && column + i < task.width; ++i) {
+      const auto byte = bits[static_cast<std::size_t>(i / 8)];
+      if ((byte >> (i % 8) & 1) != 0) undecided.push_back(column + i);
+    }
+  }
+}
+
+/// Pixels with one list of candidates: long, so that there are few lists, but not much longer than
+/// a sphere is wide.
+constexpr int section = 64;
+
+void float_row(const RowTask& task, std::uint8_t* rgb, std::vector<int>& undecided) {
+  static thread_local std::vector<std::vector<int>> candidates;
+  candidates.resize(static_cast<std::size_t>((task.width + section - 1) / section));
+  for (std::vector<int>& list : candidates) list.clear();
+  for (std::size_t i = 0; i < task.spheres.size(); ++i) {
+    const RowSphere& s = task.spheres[i];
+    for (int k = s.first_column / section; k * section < s.end_column; ++k) {
+      candidates[static_cast<std::size_t>(k)].push_back(static_cast<int>(i));
+    }
+  }
+  const int lanes = static_cast<int>(hn::Lanes(tag));
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    if (candidates[k].empty()) continue;
+    const int first = static_cast<int>(k) * section;
+    for (int column = first; column < std::min(first + section, task.width); column += lanes) {
+      group(task, candidates[k], column, rgb, undecided);
+    }
+  }
+}
+
+const char* float_row_target() { return hwy::TargetName(HWY_TARGET); }
+
+}  // namespace fos::certified::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace fos::certified {
+
+HWY_EXPORT(float_row);
+HWY_EXPORT(float_row_target);
+
+void float_row(const RowTask& task, std::uint8_t* rgb, std::vector<int>& undecided) {
+  HWY_DYNAMIC_DISPATCH(float_row)(task, rgb, undecided);
+}
+
+const char* float_row_target() { return HWY_DYNAMIC_DISPATCH(float_row_target)(); }
+
+}  // namespace fos::certified
+#endif

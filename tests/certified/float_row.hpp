@@ -1,0 +1,33 @@
+// A row of a certified picture, in SIMD floats: every byte that it decides is proven.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "float_lights.hpp"
+#include "row_sphere.hpp"
+
+namespace fos::certified {
+
+struct RowTask {
+  int width;
+  float kx, Y, d;   ///< D = (x kx, Y, d)
+  float longest_D;  ///< |D| is not more
+  Bytes background;
+  bool shade;  ///< false: nothing but the ambient light, so neither P nor N is needed
+  const FloatLights* lights;
+  std::span<const RowSphere> spheres;  ///< the nearest first
+};
+
+/// How many bytes behind the end of a row float_row may write.
+inline constexpr int row_padding = 3 * 64;
+
+/// Writes the pixels that show a sphere into `rgb`, which holds the background, and appends the
+/// columns that it does not decide to `undecided`.
+void float_row(const RowTask& task, std::uint8_t* rgb, std::vector<int>& undecided);
+
+/// The instruction set that float_row uses here: AVX3, AVX2, ...
+const char* float_row_target();
+
+}  // namespace fos::certified

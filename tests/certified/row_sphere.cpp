@@ -1,0 +1,102 @@
+#include "row_sphere.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fos::certified {
+namespace {
+
+/// What an expression of a few doubles may be off, for the sum of the sizes of its terms.
+constexpr double slack = 0x1p-49;
+
+/// Sizes that floats carry through all products here with neither overflow nor underflow.
+bool is_moderate(double size) { return size >= 0x1p-20 && size <= 0x1p20; }
+
+/// Whether the sphere's own numbers suit floats at all.
+bool suits_float(const CameraScene& scene, const CameraSphere& sphere) {
+  const double D = std::hypot(scene.kx * scene.width, scene.ky * scene.height, scene.d);
+  return sphere.has_row_form && is_moderate(sphere.r) && is_moderate(scene.d) && is_moderate(D) &&
+         sphere.V_length <= 0x1p20 && std::abs(sphere.c) >= 0x1p-20 &&
+         std::abs(sphere.k) >= 0x1p-60 && std::abs(sphere.k) <= 0x1p60;
+}
+
+}  // namespace
+
+bool along_row(const CameraScene& scene, const CameraSphere& sphere, double y, bool within_outline,
+               RowSphere& row) {
+  row.sphere = &sphere;
+  row.first_column = within_outline ? sphere.first_column : 0;
+  row.end_column = within_outline ? sphere.end_column : scene.width;
+  row.inside = sphere.inside;
+  row.nearest_t = static_cast<float>(sphere.nearest_t) * (1 - 2 * u);
+  row.in_float = false;
+  if (!sphere.has_row_form) return true;
+
+  const double q = sphere.q[0] + y * (sphere.q[1] + y * sphere.q[2]);
+  const double dq = slack * (std::abs(sphere.q[0]) +
+                             std::abs(y) * (std::abs(sphere.q[1]) + std::abs(y * sphere.q[2])));
+  const double xc = sphere.xc[0] + y * sphere.xc[1];
+  const double dxc = slack * (std::abs(sphere.xc[0]) + std::abs(y * sphere.xc[1]));
+  if (within_outline && sphere.k > 0) {  // the hits lie around xc, or there are none
+    if (q + dq < 0) return false;
+    const double half = std::sqrt((q + dq) / sphere.k) * (1 + 1e-9) + dxc + 1e-3;
+    if (!std::isfinite(xc) || !std::isfinite(half)) return true;
+    const double middle = xc + scene.width / 2.0;
+    const double first = std::ceil(middle - half);
+    const double last = std::floor(middle + half);
+    row.first_column = static_cast<int>(
+        std::clamp(first, static_cast<double>(row.first_column), static_cast<double>(scene.width)));
+    row.end_column =
+        static_cast<int>(std::clamp(last + 1, 0.0, static_cast<double>(row.end_column)));
+    if (row.first_column >= row.end_column) return false;
+  }
+  const bool moderate_q = std::abs(q) >= 0x1p-80 && std::abs(q) <= 0x1p80;
+  if (!suits_float(scene, sphere) || !moderate_q || !(std::abs(xc) <= 0x1p60)) return true;
+
+  const double U = u;
+  const double xi = std::clamp(std::nearbyint(xc), -0x1p21, 0x1p21);
+  const double xf = xc - xi;
+  const double e = U * std::abs(xf) + dxc;
+  row.q = static_cast<float>(q);
+  row.k = static_cast<float>(sphere.k);
+  row.xi = static_cast<float>(xi);
+  row.xf = static_cast<float>(xf);
+  row.E0 = static_cast<float>(1.01 *
+                              (2.1 * U * std::abs(q) + dq + 1.1 * std::abs(sphere.k) * e * e / U));
+
+  const double h0 = sphere.h[0] + y * sphere.h[1];
+  const double dh0 = slack * (std::abs(sphere.h[0]) + std::abs(y * sphere.h[1]));
+  const double widest = std::abs(sphere.hx) * scene.width / 2;
+  const double Eh = 1.01 * (2 * U * std::abs(h0) + dh0 + 3.2 * U * widest);
+  row.h0 = static_cast<float>(h0);
+  row.hx = static_cast<float>(sphere.hx);
+  row.c = static_cast<float>(std::abs(sphere.c));
+  const double a0 = scene.d * scene.d + scene.ky * scene.ky * y * y;
+  row.a0 = static_cast<float>(a0);
+  const double g_least =
+      std::max(std::sqrt(a0 * std::abs(sphere.c)), std::abs(h0) - widest) * (1 - 1e-9);
+
+  // From outside t = c/(h + s) >= c/2h, because s < h: on a large sphere nearly all of it.
+  const double largest_h = (std::abs(h0) + widest) * (1 + 1e-6);
+  if (!sphere.inside) {
+    row.nearest_t =
+        std::max(row.nearest_t, static_cast<float>(sphere.c / (2 * largest_h)) * (1 - 4 * u));
+  }
+
+  // Relative to t: the roundings of c or a, of s, g and the division, and the errors of h and s.
+  row.At = static_cast<float>(10 * U + 1.05 * Eh / g_least);
+  row.Bt = static_cast<float>(1.05 / g_least);
+  const double reach = sphere.inside ? sphere.V_length + sphere.r : std::sqrt(sphere.c);
+  row.inv_r = static_cast<float>(1 / sphere.r);
+  row.Wx = static_cast<float>(sphere.V[0] / sphere.r);
+  row.Wy = static_cast<float>(sphere.V[1] / sphere.r);
+  row.Wz = static_cast<float>(sphere.V[2] / sphere.r);
+  row.n0 = static_cast<float>(U * (1.01 * (2.1 * reach + 1.1 * sphere.V_length) / sphere.r + 1.2));
+
+  // Floats decide where the root that is seen is known: the near one, with t >= 1.
+  const bool near_root = sphere.beyond_plane || 2 * largest_h <= sphere.c;
+  row.in_float = (sphere.inside || near_root) && row.At <= 0x1p-8F;  // so Eh < g_least / 256
+  return true;
+}
+
+}  // namespace fos::certified
