@@ -40,7 +40,7 @@ Renderer::Renderer(const SceneText& scene, reference::Terms terms, Plan plan)
       scene_(camera_scene(exact_, terms)),
       plan_(std::move(plan)) {}
 
-Effort Renderer::render(Picture& picture) const {
+Effort Renderer::render(Picture& picture, Claims* claims) const {
   picture.width = scene_.width;
   picture.height = scene_.height;
   const auto row_bytes = static_cast<std::size_t>(scene_.width) * 3;
@@ -56,7 +56,15 @@ Effort Renderer::render(Picture& picture) const {
                scene_.background,
                plan_.shade,
                &lights,
-               {}};
+               {},
+               nullptr};
+  RowClaims row_claims{};
+  if (claims != nullptr) {
+    const std::size_t room = picture.rgb.size() / 3 + row_padding;
+    claims->I.assign(room, 0);
+    claims->error.assign(room, -1);
+    task.claims = &row_claims;
+  }
   std::vector<std::uint8_t> background(row_bytes);
   for (std::size_t i = 0; i < row_bytes; ++i) background[i] = scene_.background[i % 3];
 
@@ -79,6 +87,10 @@ Effort Renderer::render(Picture& picture) const {
                      [](const auto& a, const auto& b) { return a.nearest_t < b.nearest_t; });
     task.Y = static_cast<float>(scene_.ky * scene_.y(row));
     task.spheres = spheres;
+    if (claims != nullptr) {
+      row_claims = {claims->I.data() + row_bytes / 3 * static_cast<std::size_t>(row),
+                    claims->error.data() + row_bytes / 3 * static_cast<std::size_t>(row)};
+    }
     undecided.clear();
     float_row(task, rgb, undecided);
     effort.in_float += scene_.width - static_cast<long>(undecided.size());

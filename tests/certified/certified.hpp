@@ -27,6 +27,13 @@ struct Effort {
   long exact = 0;
 };
 
+/// I as the floats have it and how far it may be off, for each pixel that they shade; elsewhere the
+/// error is negative. Whatever is off by more is a mistake in the bounds.
+struct Claims {
+  std::vector<float> I;
+  std::vector<float> error;
+};
+
 class Renderer {
  public:
   /// For a stage whose I sums up `terms`. The plan changes what is computed, never a byte. Throws
@@ -35,7 +42,7 @@ class Renderer {
   Renderer(const SceneText& scene, reference::Terms terms, Plan plan);
 
   /// Renders the picture, by one thread. Throws reference::UndecidedError.
-  Effort render(Picture& picture) const;
+  Effort render(Picture& picture, Claims* claims = nullptr) const;
 
   const CameraScene& scene() const { return scene_; }
   const Plan& plan() const { return plan_; }

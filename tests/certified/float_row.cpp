@@ -53,20 +53,25 @@ HWY_INLINE Hit hit(const RowTask& task, const RowSphere& s, V x) {
   const V h = hn::MulAdd(set(s.hx), x, set(s.h0));
   const V root = hn::Sqrt(hn::Max(disc, set(0)));
   const V g = hn::Add(hn::Abs(h), root);
-  Hit result{hn::Div(set(s.c), g), set(0), hn::Gt(disc, E), hn::Lt(disc, hn::Neg(E))};
-  result.error = hn::MulAdd(hn::Mul(set(s.Bt), E), hn::ApproximateReciprocal(root), set(s.At));
-  if (s.inside) {
-    const V X = hn::Mul(set(task.kx), x);
-    const V a = hn::MulAdd(X, X, set(s.a0));
-    result.t = hn::IfThenElse(hn::Ge(h, set(0)), hn::Div(g, a), result.t);
-    // From t = 1 on; nearer, not at all.
-    const V slack = hn::Mul(result.t, result.error);
-    result.missed = hn::Or(result.missed, hn::Lt(hn::Add(result.t, slack), set(1)));
-    result.sure = hn::And(result.sure, hn::Ge(hn::Sub(result.t, slack), set(1)));
-  } else {
-    const M behind = hn::Lt(h, set(0));
+  const V t = hn::Div(set(s.c), g);
+  const V error = hn::MulAdd(hn::Mul(set(s.Bt), E), hn::ApproximateReciprocal(root), set(s.At));
+  Hit result{t, error, hn::Gt(disc, E), hn::Lt(disc, hn::Neg(E))};
+  const M behind = hn::Lt(h, set(0));
+  if (s.roots != Roots::far) {
     result.missed = hn::Or(result.missed, behind);
     result.sure = hn::AndNot(behind, result.sure);
+  }
+  if (s.roots != Roots::near) {
+    const V X = hn::Mul(set(task.kx), x);
+    const V far = hn::Div(g, hn::MulAdd(X, X, set(s.a0)));
+    const V near_end = hn::MulAdd(t, error, t);
+    const M is_far = s.roots == Roots::far ? hn::Not(behind) : hn::Lt(near_end, set(1));
+    result.t = hn::IfThenElse(is_far, far, t);
+    // What is shown has t >= 1.
+    const V low = hn::NegMulAdd(result.t, error, result.t);
+    const V high = hn::MulAdd(result.t, error, result.t);
+    result.missed = hn::Or(result.missed, hn::Lt(high, set(1)));
+    result.sure = hn::And(result.sure, hn::Ge(low, set(1)));
   }
   return result;
 }
@@ -113,6 +118,8 @@ struct Light {
 struct Pixels {
   std::array<V, 3> bytes;
   M decided;
+  V I;
+  V error;
 };
 
 HWY_INLINE V dot(V ax, V ay, V az, V bx, V by, V bz) {
@@ -168,17 +175,23 @@ HWY_INLINE Pixels shaded(const RowTask& task, const RowSphere& s, V x, V t, V t_
                    : hn::IfThenElse(light.lit, shades[static_cast<std::size_t>(sphere.shade_of[i])],
                                     set(static_cast<float>(sphere.unlit[i])));
   }
-  return {bytes, hn::Or(same, hn::AndNot(light.lit, good))};
+  return {bytes, hn::Or(same, hn::AndNot(light.lit, good)), light.I,
+          hn::IfThenElse(good, error, set(-1))};
 }
 
 HWY_INLINE Pixels unlit(const RowSphere& s) {
   const auto byte = [&](std::size_t i) { return set(static_cast<float>(s.sphere->unlit[i])); };
-  return {{byte(0), byte(1), byte(2)}, hn::Not(none())};
+  return {{byte(0), byte(1), byte(2)}, hn::Not(none()), set(0), set(0)};
 }
 
 HWY_INLINE auto to_u8(V bytes) {
   const hn::Rebind<std::uint8_t, Tag> tag8;
   return hn::DemoteTo(tag8, hn::NearestInt(bytes));
+}
+
+HWY_INLINE void claim(M here, const Pixels& pixels, int column, RowClaims& claims) {
+  hn::BlendedStore(pixels.I, here, tag, claims.I + column);
+  hn::BlendedStore(pixels.error, here, tag, claims.error + column);
 }
 
 /// The pixels from `column` on, as many as a vector has lanes.
@@ -217,6 +230,9 @@ void group(const RowTask& task, std::span<const int> candidates, int column, std
         bytes[k] = hn::IfThenElse(here, pixels.bytes[k], bytes[k]);
       }
       unsure = hn::Or(unsure, hn::AndNot(pixels.decided, here));
+      if (task.claims != nullptr) {
+        claim(hn::AndNot(nearest.unsure, here), pixels, column, *task.claims);
+      }
     }
     hn::StoreInterleaved3(to_u8(bytes[0]), to_u8(bytes[1]), to_u8(bytes[2]),
                           hn::Rebind<std::uint8_t, Tag>(), rgb + 3 * column);

@@ -10,6 +10,16 @@
 
 namespace fos::certified {
 
+/// How many bytes, or numbers, behind the end of a row float_row may write.
+inline constexpr int row_padding = 3 * 64;
+
+/// What the floats claim of the pixels that they shade: I, and how far it is off at most. Each has
+/// room for row_padding more numbers than the row has pixels.
+struct RowClaims {
+  float* I;
+  float* error;
+};
+
 struct RowTask {
   int width;
   float kx, Y, d;   ///< D = (x kx, Y, d)
@@ -18,10 +28,8 @@ struct RowTask {
   bool shade;  ///< false: nothing but the ambient light, so neither P nor N is needed
   const FloatLights* lights;
   std::span<const RowSphere> spheres;  ///< the nearest first
+  RowClaims* claims = nullptr;         ///< to be filled in where it is asked for
 };
-
-/// How many bytes behind the end of a row float_row may write.
-inline constexpr int row_padding = 3 * 64;
 
 /// Writes the pixels that show a sphere into `rgb`, which holds the background, and appends the
 /// columns that it does not decide to `undecided`.

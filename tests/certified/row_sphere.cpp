@@ -27,7 +27,6 @@ bool along_row(const CameraScene& scene, const CameraSphere& sphere, double y, b
   row.sphere = &sphere;
   row.first_column = within_outline ? sphere.first_column : 0;
   row.end_column = within_outline ? sphere.end_column : scene.width;
-  row.inside = sphere.inside;
   row.nearest_t = static_cast<float>(sphere.nearest_t) * (1 - 2 * u);
   row.in_float = false;
   if (!sphere.has_row_form) return true;
@@ -83,19 +82,21 @@ bool along_row(const CameraScene& scene, const CameraSphere& sphere, double y, b
         std::max(row.nearest_t, static_cast<float>(sphere.c / (2 * largest_h)) * (1 - 4 * u));
   }
 
+  const bool near_only = sphere.beyond_plane || 2 * largest_h <= sphere.c;
+  row.roots = sphere.inside ? Roots::far : near_only ? Roots::near : Roots::either;
+
   // Relative to t: the roundings of c or a, of s, g and the division, and the errors of h and s.
   row.At = static_cast<float>(10 * U + 1.05 * Eh / g_least);
   row.Bt = static_cast<float>(1.05 / g_least);
-  const double reach = sphere.inside ? sphere.V_length + sphere.r : std::sqrt(sphere.c);
+  // P is at most so far away: from outside the near root is not beyond the tangents, √c long.
+  const double reach = row.roots == Roots::near ? std::sqrt(sphere.c) : sphere.V_length + sphere.r;
   row.inv_r = static_cast<float>(1 / sphere.r);
   row.Wx = static_cast<float>(sphere.V[0] / sphere.r);
   row.Wy = static_cast<float>(sphere.V[1] / sphere.r);
   row.Wz = static_cast<float>(sphere.V[2] / sphere.r);
   row.n0 = static_cast<float>(U * (1.01 * (2.1 * reach + 1.1 * sphere.V_length) / sphere.r + 1.2));
 
-  // Floats decide where the root that is seen is known: the near one, with t >= 1.
-  const bool near_root = sphere.beyond_plane || 2 * largest_h <= sphere.c;
-  row.in_float = (sphere.inside || near_root) && row.At <= 0x1p-8F;  // so Eh < g_least / 256
+  row.in_float = row.At <= 0x1p-8F;  // so that Eh < g_least / 256: the sign of h is beyond doubt
   return true;
 }
 

@@ -3,25 +3,34 @@
 // docs/en/numerics.md derives the bounds; here u = 2^-24 is half an ulp of 1 in float, and a hat
 // marks what is computed. Written with one rounding an operation; a fused one rounds less.
 //
-//   Δ  = x − xc            x − xi is exact (halves below 2^22), so |Δ̂ − Δ| <= u|Δ̂| + e, where e
-//                          bounds the error of xf
-//   T  = k Δ²              |T̂ − T| <= 6.2 u |T̂| + |k| e²/u
-//   disc = q − T           |disc^ − disc| <= E = E0 + 7.4 u |T̂|,  E0 = 2.1 u |q| + δq + 1.1 |k|
-//   e²/u s  = √disc             |ŝ − s| <= u ŝ + E/ŝ h  = h0 + hx x         |ĥ − h| <= Eh g  = h +
-//   s (outside), s + |h| (inside); g >= √(a|c|) >= g_least for every hit, as s² = h² − ac t  = c/g,
-//   or g/a       |t̂ − t| <= t̂ (At + Bt E/ŝ) P  = t D, from the camera: |P| <= reach;  |P̂ − P| <= eP
-//   = reach (At + Bt E/ŝ + 4u) N  = P/r − V/r         |N̂ − N| <= eN = eP/r + n0
+//   Δ = x − xc        x − xi is exact: |Δ̂ − Δ| <= u|Δ̂| + e, where xf is off by e
+//   T = k Δ²          |T̂ − T| <= 6.2u |T̂| + 1.1 |k| e²/u
+//   disc = q − T      off by at most E = E0 + 7.4u |T̂|, E0 = 2.1u |q| + δq + 1.1 |k| e²/u
+//   s = √disc         |ŝ − s| <= uŝ + E/ŝ
+//   h = h0 + hx x     |ĥ − h| <= Eh
+//   g = s + |h|       at every hit g >= g_least: g >= |h|, and g >= √(a|c|), for s² = h² − ac
+//   t = |c|/g or g/a  from outside (h > 0) the near and the far root; from inside the far
+//                     one, h < 0 and h >= 0. No cancellation: |t̂ − t| <= t̂ (At + Bt E/ŝ)
+//   P = t D           from the camera; |P̂ − P| <= eP = t̂ |D| (At + Bt E/ŝ + 4u)
+//   N = P/r − V/r     |N̂ − N| <= eN = eP/r + n0
 #pragma once
 
 #include "camera_scene.hpp"
 
 namespace fos::certified {
 
+/// Which roots a sphere can show.
+enum class Roots {
+  near,    ///< the near one: from outside, and it is never less than 1
+  far,     ///< the far one: from inside
+  either,  ///< from outside: the near one, or the far one where that is less than 1
+};
+
 struct RowSphere {
   const CameraSphere* sphere;
   int first_column, end_column;  ///< in this row it can only be seen here
   bool in_float;                 ///< false: floats cannot tell; where it may be seen, doubles must
-  bool inside;
+  Roots roots;
   float nearest_t;
   float q, k, xi, xf, E0;
   float h0, hx;
