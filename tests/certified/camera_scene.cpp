@@ -13,7 +13,16 @@ using reference::operator-;  // triples are arrays, so that it is not found by t
 using Exact = mpq_class;
 using ExactTriple = reference::Triple<mpq_class>;
 
-double to_double(const Exact& x) { return x.get_d(); }
+/// Within 2^-52 of its size; infinity or 0 where it is out of the range of double.
+double to_double(const Exact& x) {
+  const auto bits = [](const mpz_class& n) {
+    return static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2));
+  };
+  const long exponent = bits(x.get_num()) - bits(x.get_den());  // GMP leaves overflow undefined
+  if (exponent < -1000) return 0;
+  if (exponent > 1000) return sgn(x) * std::numeric_limits<double>::infinity();
+  return x.get_d();
+}
 Triple to_double(const ExactTriple& x) {
   return {to_double(x[0]), to_double(x[1]), to_double(x[2])};
 }

@@ -62,7 +62,7 @@ Effort Renderer::render(Picture& picture, Claims* claims) const {
   if (claims != nullptr) {
     const std::size_t room = picture.rgb.size() / 3 + row_padding;
     claims->I.assign(room, 0);
-    claims->error.assign(room, -1);
+    claims->error.resize(room);
     task.claims = &row_claims;
   }
   std::vector<std::uint8_t> background(row_bytes);
@@ -90,6 +90,7 @@ Effort Renderer::render(Picture& picture, Claims* claims) const {
     if (claims != nullptr) {
       row_claims = {claims->I.data() + row_bytes / 3 * static_cast<std::size_t>(row),
                     claims->error.data() + row_bytes / 3 * static_cast<std::size_t>(row)};
+      std::fill_n(row_claims.error, row_bytes / 3, -1.0F);  // the row above may have written here
     }
     undecided.clear();
     float_row(task, rgb, undecided);

@@ -11,7 +11,8 @@ namespace {
 /// Numbers as decimals of a few digits, made of whole numbers only (Steele, Lea, Flood: SplitMix).
 class Random {
  public:
-  explicit Random(std::uint64_t seed) : state_(seed * 0x9E3779B97F4A7C15U + 1) {}
+  /// Neighbouring seeds are far apart: their first states are outputs of the generator itself.
+  explicit Random(std::uint64_t seed) : state_(seed) { state_ = bits(); }
 
   std::uint64_t bits() {
     state_ += 0x9E3779B97F4A7C15U;
@@ -57,8 +58,51 @@ std::string sphere(Random& random, const std::string& center, const std::string&
                      color(random));
 }
 
+/// A number that differs from a whole one, if at all, by less and less.
+std::string almost(Random& random, int whole) {
+  static constexpr const char* nines = "99999999999999999999999999";
+  const int digits = random.between(5, 20);
+  if (random.once_in(3)) return std::to_string(whole);
+  return random.once_in(2)
+             ? fmt::format("{}.{}{}", whole, std::string(static_cast<std::size_t>(digits), '0'),
+                           random.between(1, 9))
+             : fmt::format("{}.{:.{}}", whole - 1, nines, digits);
+}
+
+/// Spheres on a knife's edge along the axis: tangent to it, touching the plane t = 1, or met at the
+/// same t as another; and a color between two bytes.
+std::string edge_spheres(Random& random) {
+  const std::string z = std::to_string(random.between(3, 9));
+  switch (random.below(4)) {
+    case 0: {
+      const int scale = random.between(1, 3);
+      return sphere(random, fmt::format("({}, {}, {})", 3 * scale, -4 * scale, z),
+                    almost(random, 5 * scale));
+    }
+    case 1:
+      return sphere(random, "(0, 0, " + almost(random, 3) + ")", "2");
+    case 2:
+      return sphere(random, "(0, 0, 5)", "1") +
+             sphere(random, "(0, 0, " + almost(random, 7) + ")", "3");
+    default:
+      return "sphere { center = (0, 0, " + z + ") radius = 1 color = (127.5, 254.5, 0.5) }\n" +
+             "light { type = directional intensity = " + almost(random, 1) +
+             " direction = (0, 0, -1) }\n";
+  }
+}
+
+/// A floor at a slant, so that what cancels does not cancel in one coordinate.
+std::string slanted_floor(Random& random) {
+  const int scale = random.between(10, 99999);
+  return sphere(
+      random,
+      fmt::format("({}{}.{}, -{}.{}, {})", random.once_in(2) ? "-" : "", 3 * scale,
+                  random.below(10), 4 * scale, random.between(1, 9), random.between(-2, 5)),
+      std::to_string(5 * scale));
+}
+
 std::string random_sphere(Random& random) {
-  switch (random.below(12)) {
+  switch (random.below(13)) {
     case 0: {  // a floor, a ceiling or a wall: a large sphere nearly through the camera
       const int exponent = random.between(1, 9);
       const std::string radius = fmt::format("{}e{}", random.between(1, 9), exponent);
@@ -87,6 +131,8 @@ std::string random_sphere(Random& random) {
       return sphere(random, random.whole_triple(4, 1, 8), std::to_string(random.between(1, 5)));
     case 5:  // across the plane t = 1
       return sphere(random, random.triple(2, 2, 0, 3), random.number(1, 3));
+    case 7:
+      return slanted_floor(random);
     case 6:  // of any size at all
       return sphere(random, random.triple(9, 9, 1, 9, random.between(-9, 9)),
                     random.number(1, 9, random.between(-9, 9)));
@@ -131,6 +177,7 @@ std::string random_scene(std::uint64_t seed, int size) {
     spheres.push_back(repeat ? spheres.back() : random_sphere(random));
   }
   for (const std::string& each : spheres) scene += each;
+  if (random.once_in(4)) scene += edge_spheres(random);
   if (!random.once_in(4)) {
     scene += fmt::format("light {{ type = ambient intensity = {} }}\n", random.number(0, 1));
   }
