@@ -26,7 +26,9 @@ double to_double(const Exact& x) {
 Triple to_double(const ExactTriple& x) {
   return {to_double(x[0]), to_double(x[1]), to_double(x[2])};
 }
-double length(const Triple& v) { return std::hypot(v[0], v[1], v[2]); }
+double length(const Triple& v) {
+  return std::hypot(std::hypot(v[0], v[1]), v[2]);  // of three arguments it may be NaN for infinity
+}
 
 Bytes to_bytes(const ExactTriple& color, const Exact& I) {
   Bytes bytes{};
