@@ -62,7 +62,7 @@ TruePixel true_pixel(const ExactScene& scene, int column, int row) {
 
 }  // namespace
 
-Truth truth_of(const SceneText& text) {
+Truth truth_of(const SceneText& text, const std::function<void(int rows)>& on_rows) {
   const ExactScene scene = reference::to_exact(text);
   Truth truth{text.canvas_width, text.canvas_height, {}};
   truth.pixels.resize(static_cast<std::size_t>(truth.width) *
@@ -75,6 +75,7 @@ Truth truth_of(const SceneText& text) {
         for (int column = 0; column < truth.width; ++column) {
           *pixel++ = true_pixel(scene, column, row);
         }
+        if (first == 0) on_rows(row + 1);
         if (row + 2 < truth.height) pixel += truth.width;
       }
     } catch (...) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "fos/scene_text.hpp"
@@ -29,9 +30,11 @@ struct Truth {
   std::vector<TruePixel> pixels;  ///< rows from the top
 };
 
-/// All pixels, in two threads; about 20 microseconds each. Throws what the oracle throws:
-/// std::range_error for numbers beyond 10^±10000, UndecidedError.
-Truth truth_of(const SceneText& scene);
+/// All pixels, in two threads; about 20 microseconds each. `on_rows` hears now and then how many
+/// rows are done, from the calling thread. Throws what the oracle throws: std::range_error for
+/// numbers beyond 10^±10000, UndecidedError.
+Truth truth_of(
+    const SceneText& scene, const std::function<void(int rows)>& on_rows = [](int) {});
 
 /// The scene as a stage sees it, `terms` as in Stage: without the lights that are no term of its I.
 /// Without any term I is 1 (an ambient light of 1 and no other).

@@ -41,6 +41,7 @@ namespace text {
 #include "scene.def"
 #include "stage.def"
 #include "tool.def"
+#include "trade.def"
 #undef TEXT
 }  // namespace text
 

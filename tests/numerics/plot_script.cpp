@@ -1,0 +1,166 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "fos/text.hpp"
+#include "label_places.hpp"
+#include "plot.hpp"
+
+namespace fos::numerics {
+namespace {
+
+// Pixels. The letters are large enough for the last row of a lecture hall.
+constexpr double width = 1600, height = 1000;
+constexpr double left = 200, right = 40, bottom = 110, top = 90;
+constexpr double letter_width = 13.5, letter_height = 30;
+
+struct Axes {
+  double min_x, max_x, min_y, max_y;  // powers of ten
+  double zero;                        // where what has no error sits
+
+  double to_pixel_x(double x) const {
+    return (std::log10(x) - min_x) / (max_x - min_x) * (width - left - right);
+  }
+  double to_pixel_y(double y) const {
+    return (std::log10(y) - min_y) / (max_y - min_y) * (height - bottom - top);
+  }
+};
+
+struct Point {
+  const Row* row;
+  double x;  // ns a pixel
+  double y;  // error, > 0
+};
+
+/// In single quotes, where gnuplot takes every letter for itself.
+std::string quoted(const std::string& words) {
+  std::string out = "'";
+  for (const char c : words) {
+    if (c == '\'') out += '\'';
+    out += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+  }
+  return out + "'";
+}
+
+std::size_t letters(const std::string& utf8) {
+  return static_cast<std::size_t>(std::count_if(
+      utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) >> 6) != 2; }));
+}
+
+/// The points, by the ratios: they are steadier than the times.
+std::vector<Point> points_of(const Study& study) {
+  double base = 1;
+  for (const Row& row : study.rows) {
+    if (row.id == baseline_id) base = row.ns.median;
+  }
+  std::vector<Point> points;
+  for (const Row& row : study.rows) {
+    if (!row.errors.I) continue;
+    points.push_back({&row, row.ratio * base, static_cast<double>(row.errors.I->max)});
+  }
+  return points;
+}
+
+Axes axes_of(std::vector<Point>& points) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double min_x = infinity, max_x = 0, min_y = infinity, max_y = 0;
+  for (const Point& point : points) {
+    min_x = std::min(min_x, point.x), max_x = std::max(max_x, point.x);
+    if (point.y > 0) min_y = std::min(min_y, point.y), max_y = std::max(max_y, point.y);
+  }
+  if (max_y == 0) min_y = max_y = 1e-16;  // nobody has an error
+  const double zero = std::floor(std::log10(min_y)) - 2;
+  for (Point& point : points) {
+    if (point.y == 0) point.y = std::pow(10, zero);
+  }
+  return {std::log10(min_x) - 0.15, std::log10(max_x) + 0.4, zero - 1,
+          std::ceil(std::log10(max_y)) + 0.7, std::pow(10, zero)};
+}
+
+std::string data(const char* name, const std::vector<Point>& points,
+                 const std::function<bool(const Row&)>& wanted) {
+  std::string out = fmt::format("${} << END\n", name);
+  for (const Point& point : points) {
+    if (wanted(*point.row)) out += fmt::format("{} {}\n", point.x, point.y);
+  }
+  return out + "END\n";
+}
+
+std::string labels(const std::vector<Point>& points, const Axes& axes) {
+  std::vector<LabelledPoint> labelled;
+  for (const Point& point : points) {
+    labelled.push_back({axes.to_pixel_x(point.x), axes.to_pixel_y(point.y),
+                        letter_width * static_cast<double>(letters(point.row->name))});
+  }
+  const std::vector<LabelPlace> places =
+      place_labels(labelled, letter_height, width - left - right, height - bottom - top);
+  const std::map<int, const char*> alignment{{-1, "left"}, {0, "center"}, {1, "right"}};
+  std::string out;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    out += fmt::format(
+        "set label {} at graph {:.5f},{:.5f} {} front noenhanced textcolor rgb '{}'\n",
+        quoted(points[i].row->name), (labelled[i].x + places[i].dx) / (width - left - right),
+        (labelled[i].y + places[i].dy) / (height - bottom - top), alignment.at(places[i].alignment),
+        points[i].row->frontier ? "#000000" : "#707070");
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string plot_script(const Study& study, PlotFormat format) {
+  std::vector<Point> points = points_of(study);
+  const Axes axes = axes_of(points);
+  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
+  const bool zero = std::any_of(points.begin(), points.end(),
+                                [&](const Point& point) { return point.y == axes.zero; });
+  const auto is_yours = [](const Row& row) { return row.id.starts_with("yours"); };
+
+  std::string out = "set encoding utf8\n";
+  out += fmt::format("set terminal {} size {},{} font 'DejaVu Sans,20' background rgb 'white'\n",
+                     format == PlotFormat::png ? "pngcairo" : "svg", width, height);
+  out += fmt::format(
+      "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n"
+      "set bmargin at screen {:.5f}\nset tmargin at screen {:.5f}\n",
+      left / width, 1 - right / width, bottom / height, 1 - top / height);
+  out += fmt::format("set title {} noenhanced font ',24'\n",
+                     quoted(say(text::trade_plot_title, {study.scene})));
+  out += fmt::format("set xlabel {} noenhanced\nset ylabel {} noenhanced offset -1,0\n",
+                     quoted(say(text::trade_plot_time)), quoted(say(text::trade_plot_error)));
+  out += fmt::format("set logscale xy\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
+                     std::pow(10, axes.min_x), std::pow(10, axes.max_x), std::pow(10, axes.min_y),
+                     std::pow(10, axes.max_y));
+  out += "set ytics format '10^{%L}'\nset border 3\nset xtics nomirror\nset ytics nomirror\n";
+  out += "set grid xtics ytics linetype 1 linecolor rgb '#e4e4e4'\nset key top right\n";
+  if (zero) {
+    out += fmt::format("set ytics add ({} {})\n", quoted(say(text::trade_plot_zero)), axes.zero);
+    out += fmt::format(
+        "set arrow from graph 0, first {0} to graph 1, first {0} nohead linecolor rgb '#606060' "
+        "dashtype 2 linewidth 2\n",
+        axes.zero);
+  }
+  out += labels(points, axes);
+  out += data("frontier", points, [](const Row& row) { return row.frontier; });
+  out += data("others", points, [&](const Row& row) { return !row.frontier && !is_yours(row); });
+  out += data("yours", points, is_yours);
+  out += fmt::format("plot $frontier with lines linewidth 4 linecolor rgb '#9ecae1' title {}",
+                     quoted(say(text::trade_plot_frontier)));
+  // An empty block is an error to gnuplot.
+  const auto has = [&](const std::function<bool(const Row&)>& wanted) {
+    return std::any_of(points.begin(), points.end(),
+                       [&](const Point& point) { return wanted(*point.row); });
+  };
+  if (has([&](const Row& row) { return !row.frontier && !is_yours(row); })) {
+    out += ", $others with points pointtype 7 pointsize 2.2 linecolor rgb '#a0a0a0' notitle";
+  }
+  out += ", $frontier with points pointtype 7 pointsize 2.6 linecolor rgb '#08519c' notitle";
+  if (has(is_yours)) {
+    out += ", $yours with points pointtype 5 pointsize 2.6 linecolor rgb '#d95f0e' notitle";
+  }
+  return out + "\n";
+}
+
+}  // namespace fos::numerics

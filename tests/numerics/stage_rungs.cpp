@@ -1,0 +1,137 @@
+#include "stage_rungs.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+
+#include "fit.hpp"
+#include "fos/stage_program.hpp"
+#include "fos/text.hpp"
+
+namespace fos::numerics {
+namespace {
+
+// A stage that needs longer for one small picture would need hours for the study.
+constexpr std::chrono::seconds patience{10};
+constexpr int small_picture = 40;  // its longer side, at most
+
+struct Kind {
+  Precision precision;
+  const char* suffix;
+  const char* name;
+  Colors (*colors)(const SceneText&);
+};
+constexpr Kind kinds[] = {{Precision::binary32, "_float", "float", colors_of<float>},
+                          {Precision::binary64, "", "double", colors_of<double>},
+                          {Precision::extended, "_extended", "extended", colors_of<long double>}};
+
+const Kind& kind_of(Precision precision) {
+  return *std::find_if(std::begin(kinds), std::end(kinds),
+                       [&](const Kind& kind) { return kind.precision == precision; });
+}
+
+std::filesystem::path program_of(const StagePrograms& programs, const Kind& kind) {
+  return programs.folder / ("lab_" + std::string(programs.stage->id) + kind.suffix);
+}
+
+[[noreturn]] void fail(const std::filesystem::path& program, const Answer& answer, int height) {
+  const std::string name = program.filename().string();
+  const std::string rows = std::to_string(answer.rows);
+  const std::string all = std::to_string(height);
+  switch (answer.ending) {
+    case Ending::refused:  // it has said why
+      throw StageError(2, "");
+    case Ending::crashed:
+      throw StageError(1, say(text::trade_crashed, {name, strsignal(answer.detail), rows, all}));
+    case Ending::exited:
+      throw StageError(1,
+                       say(text::trade_exited, {name, std::to_string(answer.detail), rows, all}));
+    case Ending::timed_out:
+      throw StageError(1, say(text::trade_timed_out, {name, rows, all}));
+    case Ending::did_not_start:
+      throw StageError(
+          3, say(text::tool_did_not_start, {program.string(), std::strerror(answer.detail)}));
+    default:
+      throw StageError(1, say(text::trade_malformed, {name}));
+  }
+}
+
+/// One program and the frame that it gave last.
+class Asked {
+ public:
+  Asked(std::filesystem::path program, const SceneText& scene)
+      : path_(std::move(program)),
+        program_(path_, {patience * 3, 0}),
+        request_(request_for(scene)) {}
+
+  /// Throws away the rows: what keeping them costs is not the program's.
+  void time() {
+    const Answer answer = program_.ask(
+        request_, [](const FrameHeader&) {}, [](int, const Row&) {});
+    if (answer.ending != Ending::complete) fail(path_, answer, request_.height);
+  }
+
+  Frame frame() {
+    Frame frame;
+    const Answer answer = program_.ask(request_, frame);
+    if (answer.ending != Ending::complete) fail(path_, answer, request_.height);
+    return frame;
+  }
+
+ private:
+  std::filesystem::path path_;
+  StageProgram program_;
+  Request request_;
+};
+
+}  // namespace
+
+std::vector<Precision> usable_precisions(const StagePrograms& programs, const SceneText& scene,
+                                         std::vector<std::string>& notes) {
+  const int factor = (std::max(scene.canvas_width, scene.canvas_height) - 1) / small_picture + 1;
+  const Request request = request_for(made_smaller(scene, factor));
+  std::vector<Precision> usable;
+  // double first: it is what the student renders with.
+  for (const Precision precision :
+       {Precision::binary64, Precision::binary32, Precision::extended}) {
+    const Kind& kind = kind_of(precision);
+    const std::filesystem::path path = program_of(programs, kind);
+    StageProgram program(path, {patience, 0});
+    Frame frame;
+    const Answer answer = program.ask(request, frame);
+    if (answer.ending == Ending::refused && precision != Precision::binary64) {
+      notes.push_back(say(text::trade_refused_at, {kind.name}));
+      continue;
+    }
+    if (answer.ending != Ending::complete) fail(path, answer, request.height);
+    const auto unwritten = std::count(frame.unwritten.begin(), frame.unwritten.end(), 1);
+    if (unwritten > 0) {
+      throw StageError(
+          1, say(text::trade_unwritten, {path.filename().string(), std::to_string(unwritten),
+                                         std::to_string(frame.unwritten.size())}));
+    }
+    usable.push_back(precision);
+  }
+  std::sort(usable.begin(), usable.end());
+  return usable;
+}
+
+void add_stage_rungs(std::vector<Rung>& rungs, const StagePrograms& programs,
+                     const std::vector<Precision>& precisions, const SceneText& scene) {
+  for (const Precision precision : precisions) {
+    const Kind& kind = kind_of(precision);
+    const auto toll = std::make_shared<Asked>(
+        programs.folder / (std::string("empty_stage") + kind.suffix), scene);
+    const auto stage = std::make_shared<Asked>(program_of(programs, kind), scene);
+    rungs.push_back({std::string("empty_") + kind.name, say(text::trade_toll, {kind.name}),
+                     [toll] { toll->time(); }, [](const Truth&) { return Errors(); }});
+    rungs.push_back({std::string("yours_") + kind.name, say(text::trade_yours, {kind.name}),
+                     [stage] { stage->time(); },
+                     [stage, colors = kind.colors(scene)](const Truth& truth) {
+                       return errors_of(stage->frame(), truth, colors);
+                     },
+                     rungs.size() - 1});
+  }
+}
+
+}  // namespace fos::numerics
