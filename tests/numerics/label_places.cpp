@@ -1,6 +1,7 @@
 #include "label_places.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace fos::numerics {
@@ -25,6 +26,25 @@ Box box_of(const LabelledPoint& point, const LabelPlace& place, double height) {
   return {left, middle - height / 2, left + point.label_width, middle + height / 2};
 }
 
+/// Small boxes all along the line that joins the points on it.
+void take_line(const std::vector<LabelledPoint>& points, double step, std::vector<Box>& taken) {
+  const LabelledPoint* last = nullptr;
+  for (const LabelledPoint& point : points) {
+    if (!point.on_line) continue;
+    if (last != nullptr) {
+      const double dx = point.x - last->x;
+      const double dy = point.y - last->y;
+      const int count = static_cast<int>(std::hypot(dx, dy) / step);
+      for (int i = 1; i < count; ++i) {
+        const double x = last->x + dx * i / count;
+        const double y = last->y + dy * i / count;
+        taken.push_back({x - step / 2, y - step / 2, x + step / 2, y + step / 2});
+      }
+    }
+    last = &point;
+  }
+}
+
 }  // namespace
 
 std::vector<LabelPlace> place_labels(const std::vector<LabelledPoint>& points, double height,
@@ -45,6 +65,7 @@ std::vector<LabelPlace> place_labels(const std::vector<LabelledPoint>& points, d
     const double r = 0.4 * height;
     taken.push_back({point.x - r, point.y - r, point.x + r, point.y + r});
   }
+  take_line(points, 0.25 * height, taken);
   std::vector<LabelPlace> places;
   for (const LabelledPoint& point : points) {
     LabelPlace best = around[0];

@@ -11,6 +11,7 @@ struct LabelledPoint {
   double x;
   double y;
   double label_width;
+  bool on_line;  ///< a line joins it with the next such point, and labels keep off it
 };
 
 struct LabelPlace {

@@ -14,8 +14,8 @@ namespace {
 
 // Pixels. The letters are large enough for the last row of a lecture hall.
 constexpr double width = 1600, height = 1000;
-constexpr double left = 200, right = 40, bottom = 110, top = 90;
-constexpr double letter_width = 13.5, letter_height = 30;
+constexpr double left = 200, right = 40, bottom = 115, top = 130;
+constexpr double letter_width = 14.5, letter_height = 32;
 
 struct Axes {
   double min_x, max_x, min_y, max_y;  // powers of ten
@@ -72,12 +72,28 @@ Axes axes_of(std::vector<Point>& points) {
     if (point.y > 0) min_y = std::min(min_y, point.y), max_y = std::max(max_y, point.y);
   }
   if (max_y == 0) min_y = max_y = 1e-16;  // nobody has an error
-  const double zero = std::floor(std::log10(min_y)) - 2;
+  const bool has_zero =
+      std::any_of(points.begin(), points.end(), [](const Point& point) { return point.y == 0; });
+  const double lowest = std::floor(std::log10(min_y));
+  const double zero = lowest - 2;
   for (Point& point : points) {
     if (point.y == 0) point.y = std::pow(10, zero);
   }
-  return {std::log10(min_x) - 0.15, std::log10(max_x) + 0.4, zero - 1,
+  return {std::log10(min_x) - 0.15, std::log10(max_x) + 0.4, has_zero ? zero - 0.7 : lowest - 0.7,
           std::ceil(std::log10(max_y)) + 0.7, std::pow(10, zero)};
+}
+
+/// 1, 2, 5, 10, 20 … along the time.
+std::string ticks(const Axes& axes) {
+  std::string out;
+  for (double power = std::floor(axes.min_x); power <= axes.max_x; ++power) {
+    for (const double step : {1, 2, 5}) {
+      const double x = step * std::pow(10, power);
+      if (std::log10(x) < axes.min_x || std::log10(x) > axes.max_x) continue;
+      out += fmt::format("{}'{:g}' {:g}", out.empty() ? "set xtics (" : ", ", x, x);
+    }
+  }
+  return out.empty() ? out : out + ")\n";
 }
 
 std::string data(const char* name, const std::vector<Point>& points,
@@ -93,7 +109,8 @@ std::string labels(const std::vector<Point>& points, const Axes& axes) {
   std::vector<LabelledPoint> labelled;
   for (const Point& point : points) {
     labelled.push_back({axes.to_pixel_x(point.x), axes.to_pixel_y(point.y),
-                        letter_width * static_cast<double>(letters(point.row->name))});
+                        letter_width * static_cast<double>(letters(point.row->name)),
+                        point.row->frontier});
   }
   const std::vector<LabelPlace> places =
       place_labels(labelled, letter_height, width - left - right, height - bottom - top);
@@ -120,13 +137,13 @@ std::string plot_script(const Study& study, PlotFormat format) {
   const auto is_yours = [](const Row& row) { return row.id.starts_with("yours"); };
 
   std::string out = "set encoding utf8\n";
-  out += fmt::format("set terminal {} size {},{} font 'DejaVu Sans,20' background rgb 'white'\n",
+  out += fmt::format("set terminal {} size {},{} font 'DejaVu Sans,22' background rgb 'white'\n",
                      format == PlotFormat::png ? "pngcairo" : "svg", width, height);
   out += fmt::format(
       "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n"
       "set bmargin at screen {:.5f}\nset tmargin at screen {:.5f}\n",
       left / width, 1 - right / width, bottom / height, 1 - top / height);
-  out += fmt::format("set title {} noenhanced font ',24'\n",
+  out += fmt::format("set title {} noenhanced font ',28' offset 0,1.2\n",
                      quoted(say(text::trade_plot_title, {study.scene})));
   out += fmt::format("set xlabel {} noenhanced\nset ylabel {} noenhanced offset -1,0\n",
                      quoted(say(text::trade_plot_time)), quoted(say(text::trade_plot_error)));
@@ -134,7 +151,9 @@ std::string plot_script(const Study& study, PlotFormat format) {
                      std::pow(10, axes.min_x), std::pow(10, axes.max_x), std::pow(10, axes.min_y),
                      std::pow(10, axes.max_y));
   out += "set ytics format '10^{%L}'\nset border 3\nset xtics nomirror\nset ytics nomirror\n";
-  out += "set grid xtics ytics linetype 1 linecolor rgb '#e4e4e4'\nset key top right\n";
+  out += "set grid xtics ytics linetype 1 linecolor rgb '#e4e4e4'\n";
+  out += "unset mytics\nset key at graph 1,1.015 right bottom\n";
+  out += ticks(axes);
   if (zero) {
     out += fmt::format("set ytics add ({} {})\n", quoted(say(text::trade_plot_zero)), axes.zero);
     out += fmt::format(
