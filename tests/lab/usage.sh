@@ -27,6 +27,8 @@ lab
 check "a kit without tests has no test" not out 'test ['
 lab test
 check "a kit without tests runs none" status 2
+lab trade
+check "a kit without tests measures nothing" status 2
 make_tree
 
 # wrong WHAT-STDERR-MUST-NAME ARGUMENT…: one line of error, status 2, and nothing is made.
@@ -40,7 +42,7 @@ wrong() {
 }
 touch "$WORK/unreadable" && mkdir -p "$WORK/folder.png"
 wrong "did you mean 'render'" rendr
-wrong "'nonsense' (there is: render test help)" nonsense
+wrong "'nonsense' (there is: render test trade help)" nonsense
 wrong "'render test'" 'render test'
 wrong "''" ''
 wrong 'a{0}&\{1}*$(x)' 'a{0}&\{1}*$(x)'
@@ -72,6 +74,25 @@ wrong "''" render point --output=
 wrong "'.png'" render point --output .png
 wrong "'folder.png'" render point --output folder.png
 wrong "'no/such/'" render point --output no/such/x.png
+wrong "did you mean '--scene'" trade --scen x.scene
+wrong "did you mean '--plot'" trade --plt=x.png
+wrong "'--nonsense'" trade --nonsense
+wrong "did you mean 'point'" trade pont
+wrong "flat_color ambient point" trade nosuch
+wrong "there is no stage ''" trade ''
+wrong "one stage at a time" trade point ambient
+wrong "'--scene'" trade --scene
+wrong "'nosuch.scene'" trade --scene nosuch.scene
+wrong "folder" trade --scene "$TREE"
+wrong "'--csv'" trade --csv
+wrong "'x.txt'" trade --csv x.txt
+wrong "'.csv'" trade --csv .csv
+wrong "''" trade --csv=
+wrong "'no/such/'" trade --csv no/such/x.csv
+wrong "'x.jpg'" trade --plot x.jpg
+wrong "'.svg'" trade --plot=.svg
+wrong "'folder.png'" trade --plot folder.png
+wrong "'no/such/'" trade --plot no/such/x.png
 wrong "'everything'" test everything
 wrong "'all all'" test all all
 wrong "'fr'" render --lang fr
