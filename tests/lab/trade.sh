@@ -16,7 +16,7 @@ check "the lecture's scene" status 0
 check "the lecture's scene" asked --scene "$scene"
 check "with the tests" called 'FOS_TESTS=ON'
 check "builds the program alone" built fos_trade
-check "no plot: no gnuplot" not called gnuplot-nox
+check "nothing is installed" not called apt-get
 
 lab trade point --csv=x.csv
 check "a stage" asked --scene "$scene" --csv x.csv --stage point --programs "$bin"
