@@ -9,7 +9,7 @@ namespace fos::numerics {
 namespace {
 
 // Under a minute in all, on a machine that may be twice as busy later as it is now.
-constexpr double seconds_for_truth = 14;
+constexpr double seconds_for_truth = 18;
 constexpr double largest_canvas = 1'000'000;  // pixels: each rung keeps its own picture in memory
 
 double pixels_of(const SceneText& scene) {
@@ -49,19 +49,31 @@ Cost cost_of(const SceneText& scene,
   const auto seconds_since = [](Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
   };
+  const auto begin = Clock::now();
   Cost cost;
-  // A few pixels, and more if they were quick.
-  for (const double pixels : {25.0, 400.0, 6400.0}) {
-    const SceneText small = sample(scene, pixels);
-    const auto start = Clock::now();
+  Cost before;  // of a smaller canvas, in all
+  double pixels_before = 0;
+  // A few pixels, and more while they are quick. What does not grow with the canvas, starting
+  // programs say, drops out in the difference of the last two.
+  for (const double about : {25.0, 400.0, 6400.0}) {
+    const SceneText small = sample(scene, about);
+    const double pixels = pixels_of(small);
+    if (pixels == pixels_before) break;
+    auto start = Clock::now();
     truth_of(small);
-    cost.truth = seconds_since(start) / pixels_of(small);
+    Cost all{seconds_since(start), 0};
     const std::vector<Rung> rungs = rungs_of(small);
-    for (const Rung& rung : rungs) rung.render();
-    const auto round = Clock::now();
-    for (const Rung& rung : rungs) rung.render();
-    cost.round = seconds_since(round) / pixels_of(small);
-    if (seconds_since(start) > 0.1) break;
+    for (const Rung& rung : rungs) rung.render(1);
+    start = Clock::now();
+    for (const Rung& rung : rungs) rung.render(1);
+    all.round = seconds_since(start);
+    const auto slope = [&](double Cost::*which) {
+      return std::max(all.*which - before.*which, 0.1 * all.*which) / (pixels - pixels_before);
+    };
+    cost = {slope(&Cost::truth), slope(&Cost::round)};
+    before = all;
+    pixels_before = pixels;
+    if (seconds_since(begin) > 1) break;
   }
   return cost;
 }

@@ -2,8 +2,6 @@
 // each time, so that what slows the machine down for a while slows all of them.
 #pragma once
 
-#include <sched.h>
-
 #include <chrono>
 #include <functional>
 #include <vector>
@@ -13,7 +11,8 @@
 
 namespace fos::numerics {
 
-/// What a rung took in each round: nanoseconds a pixel.
+/// What a rung took in each round: nanoseconds a pixel, of processor time, which other people's
+/// programs on the machine do not lengthen; that of programs it started and ended is in it.
 using Times = std::vector<double>;
 
 struct Pace {
@@ -21,25 +20,11 @@ struct Pace {
   int at_least = 3;                     ///< whatever they take
   std::chrono::milliseconds budget{0};  ///< no round begins after it; 0 for none
   /// Short frames are rendered as often as this takes, so that the clock's own steps do not count.
-  std::chrono::microseconds shortest{2000};
+  std::chrono::milliseconds shortest{5};
 };
 
 /// Times by rung. `on_rung` hears the share that is done, 0..1.
 std::vector<Times> measure(const std::vector<Rung>& rungs, std::size_t pixels, const Pace& pace,
                            const std::function<void(double done)>& on_rung);
-
-/// Keeps this thread, and the programs that it starts meanwhile, on one processor: so what a
-/// program takes and what its asker takes add up, and can be told apart.
-class OneProcessor {
- public:
-  OneProcessor();
-  ~OneProcessor();
-  OneProcessor(const OneProcessor&) = delete;
-  OneProcessor& operator=(const OneProcessor&) = delete;
-
- private:
-  cpu_set_t before_{};
-  bool set_ = false;  // where it may not be, the times are only less steady
-};
 
 }  // namespace fos::numerics

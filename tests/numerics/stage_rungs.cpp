@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <memory>
 
 #include "fit.hpp"
 #include "fos/stage_program.hpp"
@@ -56,32 +55,31 @@ std::filesystem::path program_of(const StagePrograms& programs, const Kind& kind
   }
 }
 
-/// One program and the frame that it gave last.
-class Asked {
- public:
-  Asked(std::filesystem::path program, const SceneText& scene)
-      : path_(std::move(program)),
-        program_(path_, {patience * 3, 0}),
-        request_(request_for(scene)) {}
+/// One program, to be asked for one scene.
+struct Asked {
+  std::filesystem::path path;
+  Request request;
 
-  /// Throws away the rows: what keeping them costs is not the program's.
-  void time() {
-    const Answer answer = program_.ask(
-        request_, [](const FrameHeader&) {}, [](int, const Row&) {});
-    if (answer.ending != Ending::complete) fail(path_, answer, request_.height);
+  /// Starts it, asks it so often, throwing away the rows (what keeping them costs is not the
+  /// program's), and ends it, so that its processor time is known.
+  void ask(int frames) const {
+    StageProgram program(path, {patience * 3, 0});
+    for (int i = 0; i < frames; ++i) {
+      check(program.ask(
+          request, [](const FrameHeader&) {}, [](int, const Row&) {}));
+    }
   }
 
-  Frame frame() {
+  Frame frame() const {
+    StageProgram program(path, {patience * 3, 0});
     Frame frame;
-    const Answer answer = program_.ask(request_, frame);
-    if (answer.ending != Ending::complete) fail(path_, answer, request_.height);
+    check(program.ask(request, frame));
     return frame;
   }
 
- private:
-  std::filesystem::path path_;
-  StageProgram program_;
-  Request request_;
+  void check(const Answer& answer) const {
+    if (answer.ending != Ending::complete) fail(path, answer, request.height);
+  }
 };
 
 }  // namespace
@@ -120,15 +118,16 @@ void add_stage_rungs(std::vector<Rung>& rungs, const StagePrograms& programs,
                      const std::vector<Precision>& precisions, const SceneText& scene) {
   for (const Precision precision : precisions) {
     const Kind& kind = kind_of(precision);
-    const auto toll = std::make_shared<Asked>(
-        programs.folder / (std::string("empty_stage") + kind.suffix), scene);
-    const auto stage = std::make_shared<Asked>(program_of(programs, kind), scene);
+    const Request request = request_for(scene);
+    const Asked toll{programs.folder / (std::string("empty_stage") + kind.suffix), request};
+    const Asked stage{program_of(programs, kind), request};
     rungs.push_back({std::string("empty_") + kind.name, say(text::trade_toll, {kind.name}),
-                     [toll] { toll->time(); }, [](const Truth&) { return Errors(); }});
+                     [toll](int frames) { toll.ask(frames); },
+                     [](const Truth&) { return Errors(); }});
     rungs.push_back({std::string("yours_") + kind.name, say(text::trade_yours, {kind.name}),
-                     [stage] { stage->time(); },
+                     [stage](int frames) { stage.ask(frames); },
                      [stage, colors = kind.colors(scene)](const Truth& truth) {
-                       return errors_of(stage->frame(), truth, colors);
+                       return errors_of(stage.frame(), truth, colors);
                      },
                      rungs.size() - 1});
   }

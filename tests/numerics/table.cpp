@@ -36,9 +36,10 @@ std::string line(const Row& row) {
   std::string spheres = std::to_string(errors.wrong_spheres);
   if (errors.undecided > 0) spheres = fmt::format("{}?", errors.wrong_spheres + errors.undecided);
   return fmt::format(layout, marks, row.name, short_number(row.ns.median),
-                     fmt::format("{:.0f}", 100 * half / row.ns.median), short_number(row.ratio),
-                     error(&ErrorsOfI::max), error(&ErrorsOfI::percentile_99),
-                     error(&ErrorsOfI::mean), errors.wrong_bytes, spheres, errors.not_finite);
+                     fmt::format("{:.0f}", std::min(100 * half / row.ns.median, 999.0)),
+                     short_number(row.ratio), error(&ErrorsOfI::max),
+                     error(&ErrorsOfI::percentile_99), error(&ErrorsOfI::mean), errors.wrong_bytes,
+                     spheres, errors.not_finite);
 }
 
 std::string heading() {
