@@ -63,9 +63,9 @@ Cost cost_of(const SceneText& scene,
     truth_of(small);
     Cost all{seconds_since(start), 0};
     const std::vector<Rung> rungs = rungs_of(small);
-    for (const Rung& rung : rungs) rung.render(1);
+    for (const Rung& rung : rungs) rung.render();
     start = Clock::now();
-    for (const Rung& rung : rungs) rung.render(1);
+    for (const Rung& rung : rungs) rung.render();
     all.round = seconds_since(start);
     const auto slope = [&](double Cost::*which) {
       return std::max(all.*which - before.*which, 0.1 * all.*which) / (pixels - pixels_before);

@@ -18,7 +18,7 @@ template <class T, class Render>
 Rung rung(const char* id, const Text& name, const SceneText& text, Render render) {
   auto canvas = std::make_shared<Canvas<T>>(text.canvas_width, text.canvas_height);
   auto colors = colors_of<ColorOf<T>>(text);
-  return {id, say(name), repeated([canvas, render = std::move(render)] { render(*canvas); }),
+  return {id, say(name), [canvas, render = std::move(render)] { render(*canvas); },
           [canvas, colors = std::move(colors)](const Truth& truth) {
             return errors_of(*canvas, truth, colors);
           }};

@@ -1,7 +1,5 @@
 #include "rounds.hpp"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -12,24 +10,18 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Nanoseconds = std::chrono::duration<double, std::nano>;
 
-/// Processor time so far, of this thread and of all programs that it started and saw end.
-double processor_time() {
+/// Processor time that went into the rung so far, in nanoseconds.
+double processor_time(const Rung& rung) {
   timespec own{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &own);
-  rusage programs{};
-  getrusage(RUSAGE_CHILDREN, &programs);
-  const auto nanoseconds = [](auto seconds, auto rest, double unit) {
-    return 1e9 * static_cast<double>(seconds) + unit * static_cast<double>(rest);
-  };
-  return nanoseconds(own.tv_sec, own.tv_nsec, 1) +
-         nanoseconds(programs.ru_utime.tv_sec, programs.ru_utime.tv_usec, 1000) +
-         nanoseconds(programs.ru_stime.tv_sec, programs.ru_stime.tv_usec, 1000);
+  return 1e9 * static_cast<double>(own.tv_sec) + static_cast<double>(own.tv_nsec) +
+         rung.elsewhere();
 }
 
 double time_of(const Rung& rung, int frames) {
-  const double start = processor_time();
-  rung.render(frames);
-  return (processor_time() - start) / frames;
+  const double start = processor_time(rung);
+  for (int i = 0; i < frames; ++i) rung.render();
+  return (processor_time(rung) - start) / frames;
 }
 
 }  // namespace
@@ -37,18 +29,12 @@ double time_of(const Rung& rung, int frames) {
 std::vector<Times> measure(const std::vector<Rung>& rungs, std::size_t pixels, const Pace& pace,
                            const std::function<void(double done)>& on_rung) {
   const auto start = Clock::now();
-  // The first frame is not counted: it brings memory and code into the caches.
+  // The first frame is not counted: it brings memory and code into the caches, and starts programs.
   std::vector<int> frames;
   for (const Rung& rung : rungs) {
+    rung.render();
     const double once = std::max(time_of(rung, 1), 1.0);
     frames.push_back(static_cast<int>(std::ceil(Nanoseconds(pace.shortest).count() / once)));
-  }
-
-  for (std::size_t i = 0; i < rungs.size(); ++i) {
-    if (!rungs[i].toll) continue;
-    // What both have only once, starting the program, has to weigh the same in both, and little.
-    const int often = 5 * std::max(frames[i], frames[*rungs[i].toll]);
-    frames[i] = frames[*rungs[i].toll] = often;
   }
 
   const std::size_t count = rungs.size();

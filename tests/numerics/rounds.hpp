@@ -11,8 +11,8 @@
 
 namespace fos::numerics {
 
-/// What a rung took in each round: nanoseconds a pixel, of processor time, which other people's
-/// programs on the machine do not lengthen; that of programs it started and ended is in it.
+/// What a rung took in each round: nanoseconds a pixel, of processor time, its own and that
+/// elsewhere: what else runs on the machine does not lengthen it.
 using Times = std::vector<double>;
 
 struct Pace {

@@ -14,19 +14,13 @@ namespace fos::numerics {
 struct Rung {
   std::string id;                              ///< in CSV
   std::string name;                            ///< in the person's language
-  std::function<void(int frames)> render;      ///< the whole frame so often, by one thread
+  std::function<void()> render;                ///< one whole frame, by one thread
   std::function<Errors(const Truth&)> errors;  ///< of the frame that render made last
+  /// Where another process renders: the processor time that it has used so far, in nanoseconds.
+  std::function<double()> elsewhere = [] { return 0.0; };
   /// The rung whose time is taken off this one's, in every round.
   std::optional<std::size_t> toll = std::nullopt;
 };
-
-/// `once` so many times.
-template <class Once>
-std::function<void(int frames)> repeated(Once once) {
-  return [once = std::move(once)](int frames) {
-    for (int i = 0; i < frames; ++i) once();
-  };
-}
 
 /// All rungs of ours, cheapest to most exact, with their scene rounded and prepared. Throws
 /// std::range_error for numbers beyond 10^±10000.

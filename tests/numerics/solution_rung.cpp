@@ -38,8 +38,7 @@ Rung solution_rung(const SceneText& scene) {
   const auto picture = std::make_shared<Picture>(Picture{to_scene(scene), {}});
   picture->colors.resize(static_cast<std::size_t>(scene.canvas_width) *
                          static_cast<std::size_t>(scene.canvas_height));
-  return {"solution_combined", say(text::trade_solution),
-          repeated([picture] { render_into(*picture); }),
+  return {"solution_combined", say(text::trade_solution), [picture] { render_into(*picture); },
           [picture, colors = colors_of<double>(scene)](const Truth& truth) {
             return errors_of(to_frame(*picture), truth, colors);
           }};

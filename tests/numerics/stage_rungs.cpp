@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <ctime>
+#include <memory>
 
 #include "fit.hpp"
 #include "fos/stage_program.hpp"
@@ -55,32 +57,50 @@ std::filesystem::path program_of(const StagePrograms& programs, const Kind& kind
   }
 }
 
-/// One program, to be asked for one scene.
-struct Asked {
-  std::filesystem::path path;
-  Request request;
+/// One program, asked for one scene again and again.
+class Asked {
+ public:
+  Asked(std::filesystem::path path, Request request)
+      : path_(std::move(path)), program_(path_, {patience * 3, 0}), request_(std::move(request)) {}
 
-  /// Starts it, asks it so often, throwing away the rows (what keeping them costs is not the
-  /// program's), and ends it, so that its processor time is known.
-  void ask(int frames) const {
-    StageProgram program(path, {patience * 3, 0});
-    for (int i = 0; i < frames; ++i) {
-      check(program.ask(
-          request, [](const FrameHeader&) {}, [](int, const Row&) {}));
-    }
+  /// Throws the rows away: what keeping them costs is not the program's.
+  void ask() {
+    check(program_.ask(
+        request_, [](const FrameHeader&) {}, [](int, const Row&) {}));
   }
 
-  Frame frame() const {
-    StageProgram program(path, {patience * 3, 0});
+  Frame frame() {
     Frame frame;
-    check(program.ask(request, frame));
+    check(program_.ask(request_, frame));
     return frame;
   }
 
-  void check(const Answer& answer) const {
-    if (answer.ending != Ending::complete) fail(path, answer, request.height);
+  /// In nanoseconds.
+  double processor_time() const {
+    clockid_t clock{};
+    timespec time{};
+    if (program_.process() < 0 || clock_getcpuclockid(program_.process(), &clock) != 0) return 0;
+    clock_gettime(clock, &time);
+    return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
   }
+
+ private:
+  void check(const Answer& answer) const {
+    if (answer.ending != Ending::complete) fail(path_, answer, request_.height);
+  }
+
+  std::filesystem::path path_;
+  StageProgram program_;
+  Request request_;
 };
+
+/// A rung without a name yet.
+Rung asking(const std::filesystem::path& path, const Request& request, const Colors& colors) {
+  const auto asked = std::make_shared<Asked>(path, request);
+  return {"", "", [asked] { asked->ask(); },
+          [asked, colors](const Truth& truth) { return errors_of(asked->frame(), truth, colors); },
+          [asked] { return asked->processor_time(); }};
+}
 
 }  // namespace
 
@@ -119,17 +139,16 @@ void add_stage_rungs(std::vector<Rung>& rungs, const StagePrograms& programs,
   for (const Precision precision : precisions) {
     const Kind& kind = kind_of(precision);
     const Request request = request_for(scene);
-    const Asked toll{programs.folder / (std::string("empty_stage") + kind.suffix), request};
-    const Asked stage{program_of(programs, kind), request};
-    rungs.push_back({std::string("empty_") + kind.name, say(text::trade_toll, {kind.name}),
-                     [toll](int frames) { toll.ask(frames); },
-                     [](const Truth&) { return Errors(); }});
-    rungs.push_back({std::string("yours_") + kind.name, say(text::trade_yours, {kind.name}),
-                     [stage](int frames) { stage.ask(frames); },
-                     [stage, colors = kind.colors(scene)](const Truth& truth) {
-                       return errors_of(stage.frame(), truth, colors);
-                     },
-                     rungs.size() - 1});
+    const Colors colors = kind.colors(scene);
+    Rung toll =
+        asking(programs.folder / (std::string("empty_stage") + kind.suffix), request, colors);
+    toll.id = toll.name = std::string("empty_") + kind.name;
+    Rung stage = asking(program_of(programs, kind), request, colors);
+    stage.id = std::string("yours_") + kind.name;
+    stage.name = say(text::trade_yours, {kind.name});
+    stage.toll = rungs.size();
+    rungs.push_back(std::move(toll));
+    rungs.push_back(std::move(stage));
   }
 }
 

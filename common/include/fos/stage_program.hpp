@@ -57,6 +57,9 @@ class StageProgram {
   /// The same, kept in memory: as much of the frame as came.
   Answer ask(const Request& request, Frame& frame);
 
+  /// The running program's process, or -1: to ask the system what it uses.
+  int process() const { return process_; }
+
  private:
   bool start();
   int stop();  ///< kills and reaps; the wait status
