@@ -1,5 +1,7 @@
 #include "rounds.hpp"
 
+#include <sched.h>
+
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -24,11 +26,39 @@ double time_of(const Rung& rung, int frames) {
   return (processor_time(rung) - start) / frames;
 }
 
+/// Keeps this thread, and the programs that it starts meanwhile, on one processor, and none of them
+/// interrupts another: so a program fills its pipe before its asker empties it, whether a row takes
+/// it long or not, and the changes between the two cost the same.
+class OneProcessor {
+ public:
+  OneProcessor() {
+    sched_getaffinity(0, sizeof(before_), &before_);
+    cpu_set_t only;
+    CPU_ZERO(&only);
+    CPU_SET(static_cast<std::size_t>(std::max(sched_getcpu(), 0)), &only);
+    // Where it may not be, the times of programs are only less steady.
+    sched_setaffinity(0, sizeof(only), &only);
+    const sched_param none{};
+    sched_setscheduler(0, SCHED_BATCH, &none);
+  }
+  ~OneProcessor() {
+    const sched_param none{};
+    sched_setscheduler(0, SCHED_OTHER, &none);
+    sched_setaffinity(0, sizeof(before_), &before_);
+  }
+  OneProcessor(const OneProcessor&) = delete;
+  OneProcessor& operator=(const OneProcessor&) = delete;
+
+ private:
+  cpu_set_t before_{};
+};
+
 }  // namespace
 
 std::vector<Times> measure(const std::vector<Rung>& rungs, std::size_t pixels, const Pace& pace,
                            const std::function<void(double done)>& on_rung) {
   const auto start = Clock::now();
+  const OneProcessor here;
   // The first frame is not counted: it brings memory and code into the caches, and starts programs.
   std::vector<int> frames;
   for (const Rung& rung : rungs) {
