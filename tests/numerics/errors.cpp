@@ -104,23 +104,26 @@ Errors errors_of(const Canvas<IntervalNumber>& canvas, const Truth& truth, const
     const TruePixel& right = truth.pixels[i];
     const std::int32_t sphere = canvas.sphere[i];
     if (sphere < 0) {
-      ++tally.errors.undecided;
-      ++tally.errors.wrong_bytes;
+      ++tally.errors.open_spheres;
+      ++tally.errors.open_bytes;
       continue;
     }
     if (sphere != right.sphere) ++tally.errors.wrong_spheres;
     const IntervalNumber I = sphere == 0 ? IntervalNumber(1) : canvas.I[i];
     if (!I.is_finite()) {
       ++tally.errors.not_finite;
-      ++tally.errors.wrong_bytes;
+      ++tally.errors.open_bytes;
       continue;
     }
     const Color& color = colors[static_cast<std::size_t>(sphere)];
     const long double low = I.low();
     const long double high = I.high();
-    const bool decided = to_bytes(product(color, low)) == right.bytes &&
-                         to_bytes(product(color, high)) == right.bytes;
-    if (!decided) ++tally.errors.wrong_bytes;
+    const Bytes bytes = to_bytes(product(color, low));
+    if (bytes != to_bytes(product(color, high))) {
+      ++tally.errors.open_bytes;
+    } else if (bytes != right.bytes) {
+      ++tally.errors.wrong_bytes;
+    }
     if (sphere == right.sphere && sphere != 0) tally.add_error((high - low) / 2);
   }
   return tally.result();

@@ -23,7 +23,8 @@ struct Errors {
   std::optional<ErrorsOfI> I;  ///< nothing for what gives bytes only
   long wrong_bytes = 0;        ///< pixels with a byte that is not the right one
   long wrong_spheres = 0;      ///< pixels that show another sphere, or the background
-  long undecided = 0;          ///< pixels for which no single answer came
+  long open_bytes = 0;         ///< pixels for which an interval leaves more than one byte
+  long open_spheres = 0;       ///< pixels for which intervals leave more than one sphere
   long not_finite = 0;         ///< pixels with a NaN or an infinity
 };
 
@@ -38,7 +39,7 @@ Colors colors_of(const SceneText& scene);
 template <class T>
 Errors errors_of(const Canvas<T>& canvas, const Truth& truth, const Colors& colors);
 
-/// Of intervals: the error is the half-width, a byte is right when the whole interval gives it.
+/// Of intervals: the error is the half-width, a byte is open when the interval leaves another.
 Errors errors_of(const Canvas<IntervalNumber>& canvas, const Truth& truth, const Colors& colors);
 
 /// Of a frame of colors, which says neither sphere nor I: a pixel shows the true sphere when its

@@ -18,7 +18,7 @@ bool beats(const Row& a, const Row& b) {
   return a.ratio <= b.ratio && error_a <= error_b && (a.ratio < b.ratio || error_a < error_b);
 }
 
-bool is_right(const Row& row) { return row.errors.wrong_bytes == 0; }
+bool is_right(const Row& row) { return row.errors.wrong_bytes + row.errors.open_bytes == 0; }
 
 }  // namespace
 

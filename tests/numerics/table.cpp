@@ -26,6 +26,11 @@ std::string short_error(long double error) {
   return text;
 }
 
+/// `2?` where some of them are open only.
+std::string count(long wrong, long open) {
+  return fmt::format("{}{}", wrong + open, open > 0 ? "?" : "");
+}
+
 std::string line(const Row& row) {
   const Errors& errors = row.errors;
   const auto error = [&](long double ErrorsOfI::*which) {
@@ -33,8 +38,6 @@ std::string line(const Row& row) {
   };
   const std::string marks = std::string(row.frontier ? "*" : "") + (row.fastest_right ? "=" : "");
   const double half = (row.ns.third_quartile - row.ns.first_quartile) / 2;
-  std::string spheres = std::to_string(errors.wrong_spheres);
-  if (errors.undecided > 0) spheres = fmt::format("{}?", errors.wrong_spheres + errors.undecided);
   return fmt::format(layout, marks, row.name, short_number(row.ns.median),
                      fmt::format("{:.0f}", std::min(100 * half / row.ns.median, 999.0)),
                      short_number(row.ratio), error(&ErrorsOfI::max),
@@ -106,7 +109,8 @@ std::string table_of(const Study& study) {
 std::string csv_of(const Study& study) {
   std::string out =
       "rung,ns_per_pixel_median,ns_per_pixel_quartile_1,ns_per_pixel_quartile_3,ratio_to_double,"
-      "max_error,percentile_99_error,mean_error,wrong_bytes,wrong_spheres,undecided,not_finite,"
+      "max_error,percentile_99_error,mean_error,wrong_bytes,wrong_spheres,open_bytes,open_spheres,"
+      "not_finite,"
       "frontier,fastest_with_right_bytes,rounds,width,height,factor,scene,stage,processor,compiler,"
       "simd\r\n";
   const auto error = [](const Errors& errors, long double ErrorsOfI::*which) {
@@ -115,7 +119,7 @@ std::string csv_of(const Study& study) {
   for (const Row& row : study.rows) {
     const Errors& errors = row.errors;
     out += fmt::format(
-        "{},{},{},{},{},{},{},{},{},{},{},{},{:d},{:d},{},{},{},{},{},{},{},{},{}\r\n", row.id,
+        "{},{},{},{},{},{},{},{},{},{},{},{},{},{:d},{:d},{},{},{},{},{},{},{},{},{}\r\n", row.id,
         row.ns.median, row.ns.first_quartile, row.ns.third_quartile, row.ratio,
         error(errors, &ErrorsOfI::max), error(errors, &ErrorsOfI::percentile_99),
         error(errors, &ErrorsOfI::mean), errors.wrong_bytes, errors.wrong_spheres, errors.undecided,
