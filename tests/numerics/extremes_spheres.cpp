@@ -36,13 +36,19 @@ Family floor_radius() {
 }
 
 Family sphere_far() {
-  // Seen through a telescope whose view is 2.6 r wide there, a little off its axis.
+  // Seen through a telescope whose view is 2.6 r wide there, a little off its axis. 700 and 1.6e7
+  // are about where float and double begin to refuse it.
   std::vector<Case> cases;
+  const auto add = [&](const std::string& distance, const std::string& view) {
+    cases.push_back(
+        {distance,
+         canvas(24, 24) + viewport(view) + sphere("0.1, 0.2, " + distance, "1") + front_light(),
+         {}});
+  };
   for (int k = 1; k <= 9; ++k) {
-    cases.push_back({power(k),
-                     canvas(24, 24) + viewport(fmt::format("2.6e-{}", k)) +
-                         sphere("0.1, 0.2, " + power(k), "1") + front_light(),
-                     {}});
+    add(power(k), fmt::format("2.6e-{}", k));
+    if (k == 2) add("700", "3.7e-3");
+    if (k == 7) add("1.6e7", "1.6e-7");
   }
   return scene_family("far_sphere", text::extremes_far_sphere, text::extremes_far_sphere_finding,
                       std::move(cases));

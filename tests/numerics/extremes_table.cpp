@@ -14,18 +14,21 @@ std::string error(double value) {
 
 /// Broken at spaces, at most 80 characters a line.
 std::string wrapped(std::string_view words, std::size_t indent = 2) {
-  std::string out;
-  std::size_t column = 0;
+  const auto is_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
+  std::string out(indent, ' ');
+  std::size_t column = indent;
   while (!words.empty()) {
     const std::string_view word = words.substr(0, words.find(' '));
     words.remove_prefix(std::min(words.size(), word.size() + 1));
-    const auto width = static_cast<std::size_t>(std::count_if(word.begin(), word.end(), [](char c) {
-      return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-    }));
-    if (column > 0 && column + 1 + width > 78) out += "\n", column = 0;
-    out += std::string(column == 0 ? indent : 1, ' ');
+    const auto width =
+        static_cast<std::size_t>(std::count_if(word.begin(), word.end(), is_character));
+    if (column > indent && column + 1 + width > 80) {
+      out += "\n" + std::string(indent, ' ');
+      column = indent;
+    }
+    if (column > indent) out += ' ', ++column;
     out += word;
-    column += width + 1;
+    column += width;
   }
   return out + "\n";
 }
