@@ -75,8 +75,9 @@ class RangeCheck {
     const Wide r = nearest<Wide>(each.radius);
     const WideVec3 C = wide(each.center);
     const Wide OC = length(C - O_);
-    // b² <= (2 S |D|)² and 4ac <= 4 |D|² S², and t = (−b ± √disc)/2a <= 2 S/d.
-    const Wide largest = std::min(std::sqrt(max_ / 8) / longest_D_, max_ * d_ / 4);
+    // b² <= (2 S |D|)² and 4ac <= 4 |D|² S²; where |D| < 1, c and |N|² are larger, up to S². Then
+    // t = (−b ± √disc)/2a <= 2 S/d stays finite too, with d as large as it must be.
+    const Wide largest = std::sqrt(max_ / 8) / std::max<Wide>(1, longest_D_);
     const bool center_leads = OC > r;
     at_most(center_leads ? farthest(each.center) : each.radius, center_leads ? "center" : "radius",
             OC + r, largest);

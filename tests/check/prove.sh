@@ -12,7 +12,7 @@ case $stage in
   *) echo "prove.sh: which terms has $stage?" && exit 1 ;;
 esac
 
-right=(as_on_the_slides half_b geometric normalised_D normalised_D_simply factored_c stable_root fma)
+right=(as_on_the_slides half_b geometric normalised_D normalised_D_simply factored_c stable_root fma float_throughout)
 [[ $stage == flat_color || $stage == ambient ]] || right+=(max_with_0 normalised_L sqrt_of_squares
   N_over_r N_not_normalised lights_backwards static_lights)
 [[ $stage == flat_color ]] || right+=(color_per_light clamped)
@@ -49,6 +49,9 @@ for suffix in '' _float; do
     passes "variant_wrong$suffix" && { echo "wrong, but passes: $FOS_MISTAKE$suffix" && bad=1; }
   done
 done
+# Float in a double program is right, and is told so.
+FOS_LANG=en FOS_FORMULATION=float_throughout FOS_PROGRAM=$bin/variant_right "$bin/test_$stage" |
+  grep -q 'float precision' || { echo "float_throughout passes without a note" && bad=1; }
 export FOS_MISTAKE=none  # without a mistake the wrong programs are right
 for program in variant_wrong variant_wrong_float; do
   passes "$program" || { echo "$program fails without a mistake too" && bad=1; }

@@ -28,6 +28,8 @@ inline bool slides_stay_finite(const SceneFile& file) {
           const Vec3 P = O + t * D;
           Vec3 N = P - each.center;
           N = N / length(N);
+          // Of a NaN the slides' `if n_dot_l > 0` makes darkness, which is finite.
+          if (!std::isfinite(length(N))) return false;
           Real I = file.scene.ambient_intensity;
           const auto add = [&](Real intensity, const Vec3& L) {
             if (dot(N, L) > 0) I += intensity * dot(N, L) / (length(N) * length(L));

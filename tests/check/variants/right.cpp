@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <glm/common.hpp>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -29,7 +30,7 @@ const bool known = [] {
       "normalised_D_simply", "factored_c",       "stable_root",     "fma",
       "max_with_0",          "normalised_L",     "sqrt_of_squares", "N_over_r",
       "N_not_normalised",    "lights_backwards", "color_per_light", "clamped",
-      "static_lights"};
+      "static_lights",       "float_throughout"};
   if (std::find(std::begin(names), std::end(names), formulation) == std::end(names)) std::abort();
   return true;
 }();
@@ -120,9 +121,53 @@ Color shade(const Vec3& P, const Sphere& sphere, const Scene& scene) {
   return is("clamped") ? min(color, Color(255)) : color;
 }
 
+/// The slides' code with float for every number and vector, in a program of any precision: what a
+/// student writes who is used to shaders. It is right to float precision, and passes with a note.
+Color trace_in_float(const Vec3& given_O, const Vec3& given_D, Real t_min, Real t_max,
+                     const Scene& scene) {
+  using FloatVec = glm::vec<3, float>;
+  const FloatVec O(given_O);
+  const FloatVec D(given_D);
+  float closest_t = std::numeric_limits<float>::infinity();
+  const Sphere* closest = nullptr;
+  for (const Sphere& sphere : scene.spheres) {
+    const FloatVec CO = O - FloatVec(sphere.center);
+    const auto r = static_cast<float>(sphere.radius);
+    const float a = dot(D, D);
+    const float b = 2 * dot(CO, D);
+    const float c = dot(CO, CO) - r * r;
+    const float disc = b * b - 4 * a * c;
+    if (disc < 0) continue;
+    for (const float root : {-std::sqrt(disc), std::sqrt(disc)}) {
+      const float t = (-b + root) / (2 * a);
+      if (t_min <= t && t <= t_max && t < closest_t) closest_t = t, closest = &sphere;
+    }
+  }
+  if (closest == nullptr) return scene.background_color;
+  if (has('1')) return closest->color;
+  const FloatVec P = O + closest_t * D;
+  FloatVec N = P - FloatVec(closest->center);
+  N = N / length(N);
+  auto I = has('a') ? static_cast<float>(scene.ambient_intensity) : 0.0F;
+  const auto add = [&](Real intensity, const FloatVec& L) {
+    const float n_dot_l = dot(N, L);
+    if (n_dot_l > 0) I += static_cast<float>(intensity) * n_dot_l / (length(N) * length(L));
+  };
+  if (has('p')) {
+    for (const auto& light : scene.point_lights) add(light.intensity, FloatVec(light.position) - P);
+  }
+  if (has('d')) {
+    for (const auto& light : scene.directional_lights) {
+      add(light.intensity, FloatVec(light.direction));
+    }
+  }
+  return Color(FloatVec(closest->color) * I);
+}
+
 }  // namespace
 
 Color trace_ray(const Vec3& O, const Vec3& given_D, Real t_min, Real t_max, const Scene& scene) {
+  if (is("float_throughout")) return trace_in_float(O, given_D, t_min, t_max, scene);
   // Its t is a distance, of which [1, infinity] is a little more than what the camera asks for: no
   // scene has anything in between.
   const Vec3 D = is("normalised_D_simply") ? normalize(given_D) : given_D;
