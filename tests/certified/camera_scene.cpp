@@ -108,7 +108,11 @@ CameraSphere camera_sphere(const reference::ExactScene& scene, std::size_t index
   sphere.r = to_double(exact.radius);
   sphere.c = to_double(c);
   sphere.inside = c < 0;
-  sphere.beyond_plane = V[2] - exact.radius >= d;
+  // All of it lies beyond the plane t = 1; or t = c/(h + s) >= c/2h >= 1, for no h is larger.
+  const Exact half_width = scene.viewport_width / 2;
+  const Exact half_height = scene.viewport_height / 2 + scene.viewport_height / scene.height;
+  const Exact largest_h = abs(V[0]) * half_width + abs(V[1]) * half_height + abs(V[2]) * d;
+  sphere.near_only = !sphere.inside && (V[2] - exact.radius >= d || 2 * largest_h <= c);
   const double ky = to_double(scene.viewport_height / scene.height);
   const double kx = to_double(scene.viewport_width / scene.width);
   sphere.h = {to_double(V[2] * d), to_double(V[1] * scene.viewport_height / scene.height)};
@@ -132,11 +136,13 @@ CameraSphere camera_sphere(const reference::ExactScene& scene, std::size_t index
   return sphere;
 }
 
-/// Whether not all of it lies before the plane t = 1, nor outside the canvas.
-bool lies_in_view(const reference::ExactScene& scene, const CameraSphere& sphere) {
+Sight sight_of(const reference::ExactScene& scene, const CameraSphere& sphere) {
   const reference::ExactSphere& exact = scene.spheres[static_cast<std::size_t>(sphere.index)];
-  return exact.center[2] - scene.camera[2] + exact.radius >= scene.projection_plane_d &&
-         sphere.first_row < sphere.end_row && sphere.first_column < sphere.end_column;
+  if (exact.center[2] - scene.camera[2] + exact.radius < scene.projection_plane_d) {
+    return Sight::before_plane;
+  }
+  const bool inside = sphere.first_row < sphere.end_row && sphere.first_column < sphere.end_column;
+  return inside ? Sight::may_be_seen : Sight::outside_canvas;
 }
 
 CameraLight camera_light(const reference::ExactScene& scene, const reference::ExactLight& exact) {
@@ -175,7 +181,7 @@ CameraScene camera_scene(const reference::ExactScene& scene, reference::Terms te
   for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
     CameraSphere sphere = camera_sphere(scene, i, unlit, out.longest_D);
     const bool is_new = known.emplace(scene.spheres[i].center, scene.spheres[i].radius).second;
-    sphere.may_be_seen = is_new && lies_in_view(scene, sphere);
+    sphere.sight = is_new ? sight_of(scene, sphere) : Sight::repeated;
     out.spheres.push_back(sphere);
   }
   std::stable_sort(out.spheres.begin(), out.spheres.end(),

@@ -28,6 +28,14 @@ using Bytes = std::array<std::uint8_t, 3>;
 /// A number here is within 2^-52 of its size of the exact one.
 inline constexpr double rounding = 0x1p-52;
 
+/// Whether any pixel may see a sphere, or why none can.
+enum class Sight {
+  may_be_seen,
+  before_plane,    ///< all of it has t < 1
+  outside_canvas,  ///< all of it
+  repeated,        ///< equal to an earlier one, which hides it
+};
+
 struct CameraSphere {
   int index;        ///< in the scene, from 0
   Triple V;         ///< C − O
@@ -39,14 +47,13 @@ struct CameraSphere {
   double k;
   std::array<double, 2> h;  ///< h = h0 + h1 y + hx x
   double hx;
-  bool inside;                   ///< the camera is in the sphere, c < 0
-  bool beyond_plane;             ///< all of it has z >= d: no root is less than 1
-  bool has_row_form;             ///< k ≠ 0: q and xc are there
-  double nearest_t;              ///< a lower bound of t, at least 1
-  int first_row, end_row;        ///< it cannot be seen in other rows
+  bool inside;             ///< the camera is in the sphere, c < 0
+  bool near_only;          ///< from outside, and no near root is less than 1: no far one is seen
+  bool has_row_form;       ///< k ≠ 0: q and xc are there
+  double nearest_t;        ///< a lower bound of t, at least 1
+  int first_row, end_row;  ///< it cannot be seen in other rows
   int first_column, end_column;  ///< nor in other columns
-  bool may_be_seen;  ///< false: it lies before the plane t = 1 or outside the canvas, or is
-                     ///< equal to an earlier one
+  Sight sight;
   Triple color;
   std::array<double, 3>
       shades;  ///< the different channels of the color but 0, `shade_count` of them

@@ -130,6 +130,16 @@ TEST_CASE("what a scene requires") {
   }
 }
 
+TEST_CASE("a replaced light reaches the far side of a sphere too") {
+  // The camera almost touches the sphere, so that its tangents are short, and sees its far side.
+  const Comparison result = certified::compare(
+      scene_of("sphere { center = (0, 0, 2) radius = 1.9999 color = (255, 90, 255) }\n"
+               "light { type = point intensity = 0.9 position = (80000, 5000, 60000) }\n"),
+      all_light);
+  INFO(result.first);
+  CHECK(result.is_sound());
+}
+
 TEST_CASE("the replacement's bound holds, and is not twice too large") {
   // The worst surface point: at the reach, across the light's direction, its normal turned so that
   // ⟨N,L⟩ changes fastest.

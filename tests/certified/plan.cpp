@@ -5,13 +5,6 @@
 #include <numeric>
 
 namespace fos::certified {
-namespace {
-
-/// A replaced light may be off by about what floats lose anyway (eight roundings), so that few
-/// pixels more are left undecided.
-constexpr double budget = 0x1p-21;
-
-}  // namespace
 
 double replacement_bound(double reach, double distance) {
   // L = M − P turns away from M by the angle at the light, whose sine is at most reach/distance.
@@ -21,22 +14,29 @@ double replacement_bound(double reach, double distance) {
 }
 
 double reach(const CameraSphere& sphere) {
-  // From outside the near root is seen, never beyond the tangents, which are √c long.
-  return sphere.inside ? sphere.V_length + sphere.r : std::sqrt(sphere.c);
+  // The near root is never beyond the tangents, which are √c long.
+  return sphere.near_only ? std::sqrt(sphere.c) : sphere.V_length + sphere.r;
+}
+
+double reach(const CameraScene& scene) {
+  double farthest = 0;
+  for (const CameraSphere& sphere : scene.spheres) {
+    if (sphere.sight == Sight::may_be_seen) farthest = std::max(farthest, reach(sphere));
+  }
+  return farthest;
 }
 
 Plan plan(const CameraScene& scene) {
   Plan plan;
-  double farthest = 0;
   for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
-    if (!scene.spheres[i].may_be_seen) continue;
+    if (scene.spheres[i].sight != Sight::may_be_seen) continue;
     plan.spheres.push_back(static_cast<int>(i));
-    farthest = std::max(farthest, reach(scene.spheres[i]));
   }
   plan.shade = !scene.lights.empty();
+  const double farthest = reach(scene);
   for (const CameraLight& light : scene.lights) {
     const double bound = light.is_point ? replacement_bound(farthest, light.M_length) : 2;
-    plan.replaced.push_back(bound <= budget ? bound : -1);
+    plan.replaced.push_back(bound <= replacement_budget ? bound : -1);
   }
   return plan;
 }

@@ -25,12 +25,19 @@ struct Plan {
   bool in_float = true;
 };
 
+/// A replaced light may be off by so much of its intensity: about what floats lose anyway (eight
+/// roundings), so that few pixels more are left undecided.
+inline constexpr double replacement_budget = 0x1p-21;
+
 /// The bound |ΔI| / I of a point light at distance `distance` from the camera that a directional
 /// one replaces, for surfaces within `reach` of the camera: 2 sin(½ asin(reach / distance)).
 double replacement_bound(double reach, double distance);
 
 /// No point on a sphere that floats shade is farther from the camera.
 double reach(const CameraSphere& sphere);
+
+/// That of all spheres that may be seen.
+double reach(const CameraScene& scene);
 
 /// What the scene requires, and nothing else.
 Plan plan(const CameraScene& scene);

@@ -82,7 +82,7 @@ bool along_row(const CameraScene& scene, const CameraSphere& sphere, double y, b
         std::max(row.nearest_t, static_cast<float>(sphere.c / (2 * largest_h)) * (1 - 4 * u));
   }
 
-  const bool near_only = sphere.beyond_plane || 2 * largest_h <= sphere.c;
+  const bool near_only = sphere.near_only || 2 * largest_h <= sphere.c;
   row.roots = sphere.inside ? Roots::far : near_only ? Roots::near : Roots::either;
 
   // Relative to t: the roundings of c or a, of s, g and the division, and the errors of h and s.

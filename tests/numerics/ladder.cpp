@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "certified.hpp"
 #include "fos/text.hpp"
 #include "interval_kernel.hpp"
 #include "prepared.hpp"
@@ -42,6 +43,16 @@ Rung simd_rung(const char* id, const Text& name, const SceneText& text) {
                  [scene = prepare<T>(text)](Canvas<T>& canvas) { render_simd(scene, canvas); });
 }
 
+/// Delivers bytes, each proven; what its floats make of I on the way is nobody's answer.
+Rung certified_rung(const SceneText& text) {
+  constexpr reference::Terms all_light =
+      reference::ambient | reference::point | reference::directional;
+  auto renderer = std::make_shared<certified::Renderer>(text, all_light);
+  auto picture = std::make_shared<certified::Picture>();
+  return {"certified", say(text::trade_certified), [=] { renderer->render(*picture); },
+          [picture](const Truth& truth) { return errors_of(picture->rgb, truth); }};
+}
+
 }  // namespace
 
 std::vector<Rung> ladder(const SceneText& text) {
@@ -63,8 +74,7 @@ std::vector<Rung> ladder(const SceneText& text) {
   rungs.push_back(prepared_rung<double>("double_prepared", text::trade_double_prepared, text));
   rungs.push_back(simd_rung<double>("double_simd", text::trade_double_simd, text));
   rungs.push_back(slides_rung<long double>("long_double", text::trade_long_double, text));
-  // THE PLACE OF `certified`: a rung with id "certified", whose render fills a vector of bytes and
-  // whose errors are errors_of(bytes, truth).
+  rungs.push_back(certified_rung(text));
   rungs.push_back(
       rung<IntervalNumber>("intervals", text::trade_intervals, text,
                            [scene = to_intervals(text)](Canvas<IntervalNumber>& canvas) {

@@ -4,14 +4,10 @@
 
 #include <algorithm>
 #include <exception>
-#include <optional>
-#include <string>
 #include <thread>
 
-#include "certified_light.hpp"
-#include "exact_hit.hpp"
+#include "exact_pixel.hpp"
 #include "fos/stage_list.hpp"
-#include "oracle.hpp"
 #include "stage_terms.hpp"
 
 namespace fos::numerics {
@@ -34,30 +30,11 @@ Wide to_wide(const mpq_class& exact) {
   return wide;
 }
 
-std::array<std::uint8_t, 3> to_bytes(const Triple<mpq_class>& color, const mpq_class& I) {
-  std::array<std::uint8_t, 3> bytes{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    bytes[i] = static_cast<std::uint8_t>(reference::to_byte(color[i] * I));
-  }
-  return bytes;
-}
-
 TruePixel true_pixel(const ExactScene& scene, int column, int row) {
-  const Triple<mpq_class> D = exact_direction(scene, column, row);
-  const std::optional<ExactHit> hit = exact_hit(scene, D);
-  if (!hit) return {0, {1, 0}, to_bytes(scene.background_color, 1)};
-  const Triple<mpq_class>& color = scene.spheres[static_cast<std::size_t>(hit->sphere)].color;
-  for (const mpfr_prec_t bits : {128, 256, 512, 1024, 2048}) {
-    const auto terms = certified_terms(scene, D, *hit, bits);
-    if (!terms) continue;
-    const TermSums sums = sum_terms(scene, *terms);
-    const mpq_class low = scene.ambient + sums.point.low + sums.directional.low;
-    const mpq_class high = scene.ambient + sums.point.high + sums.directional.high;
-    const auto bytes = to_bytes(color, low);
-    if (high - low > high * mpq_class(1, mpz_class(1) << 90)) continue;
-    if (bytes == to_bytes(color, high)) return {hit->sphere + 1, to_wide((low + high) / 2), bytes};
-  }
-  throw UndecidedError("column " + std::to_string(column) + ", row " + std::to_string(row));
+  constexpr Terms all_light = ambient | point | directional;
+  constexpr int bits = 90;
+  const certified::ExactPixel exact = certified::exact_pixel(scene, all_light, column, row, bits);
+  return {exact.sphere, to_wide((exact.I.low + exact.I.high) / 2), exact.bytes};
 }
 
 }  // namespace
