@@ -13,7 +13,7 @@ namespace fos::numerics {
 namespace {
 
 // A stage that needs longer for one small picture would need hours for the study.
-constexpr std::chrono::seconds patience{10};
+constexpr std::chrono::seconds patience{5};
 constexpr int small_picture = 40;  // its longer side, at most
 
 struct Kind {

@@ -41,8 +41,9 @@ std::string line(const Row& row) {
   return fmt::format(layout, marks, row.name, short_number(row.ns.median),
                      fmt::format("{:.0f}", std::min(100 * half / row.ns.median, 999.0)),
                      short_number(row.ratio), error(&ErrorsOfI::max),
-                     error(&ErrorsOfI::percentile_99), error(&ErrorsOfI::mean), errors.wrong_bytes,
-                     spheres, errors.not_finite);
+                     error(&ErrorsOfI::percentile_99), error(&ErrorsOfI::mean),
+                     count(errors.wrong_bytes, errors.open_bytes),
+                     count(errors.wrong_spheres, errors.open_spheres), errors.not_finite);
 }
 
 std::string heading() {
@@ -122,10 +123,10 @@ std::string csv_of(const Study& study) {
         "{},{},{},{},{},{},{},{},{},{},{},{},{},{:d},{:d},{},{},{},{},{},{},{},{},{}\r\n", row.id,
         row.ns.median, row.ns.first_quartile, row.ns.third_quartile, row.ratio,
         error(errors, &ErrorsOfI::max), error(errors, &ErrorsOfI::percentile_99),
-        error(errors, &ErrorsOfI::mean), errors.wrong_bytes, errors.wrong_spheres, errors.undecided,
-        errors.not_finite, row.frontier, row.fastest_right, study.rounds, study.width, study.height,
-        study.factor, quoted(study.scene), quoted(study.stage), quoted(study.processor),
-        quoted(study.compiler), quoted(study.simd));
+        error(errors, &ErrorsOfI::mean), errors.wrong_bytes, errors.wrong_spheres,
+        errors.open_bytes, errors.open_spheres, errors.not_finite, row.frontier, row.fastest_right,
+        study.rounds, study.width, study.height, study.factor, quoted(study.scene),
+        quoted(study.stage), quoted(study.processor), quoted(study.compiler), quoted(study.simd));
   }
   return out;
 }
