@@ -8,7 +8,7 @@ asked() { [[ -e $STATE/picture && $(<"$STATE/picture") == "$(printf '%s\n' "$@")
 built() { [[ $(grep -e '^ninja.*-k 0' "$STATE/calls" | tail -n 1) == *"-k 0 $1" ]]; }
 bin="$TREE/build/release/bin"
 scene="$TREE/labs/scenes/lecture.scene"
-yours='fos_trade empty_stage lab_point empty_stage_float lab_point_float empty_stage_extended lab_point_extended'
+yours='fos_trade empty_stage empty_stage_float empty_stage_extended lab_point'
 
 make_tree
 lab trade
@@ -20,7 +20,8 @@ check "nothing is installed" not called apt-get
 
 lab trade point --csv=x.csv
 check "a stage" asked --scene "$scene" --csv x.csv --stage point --programs "$bin"
-check "a stage at every precision" built "$yours"
+check "a stage" called "-k 0 $yours"
+check "a stage at every precision" built 'lab_point_float lab_point_extended'
 mkdir -p "$WORK/my files" && touch "$WORK/my files/a & b.scene"
 lab trade --scene 'my files/a & b.scene' --csv 'my files/t t.CSV'
 check "paths with spaces" asked --scene 'my files/a & b.scene' --csv 'my files/t t.CSV'
@@ -66,6 +67,11 @@ check "a broken stage" status 1
 check "a broken stage: the compiler's words" err 'lab_point_float.cpp:3: error: no such thing'
 check "a broken stage is named" err "'point_float' does not build"
 check "a broken stage: nothing is measured" not test -e "$STATE/picture"
+echo lab_point >"$STATE/broken"
+: >"$STATE/calls"
+lab trade point
+check "a broken stage at double" status 1
+check "a broken stage at double: the others are not tried" not called lab_point_float
 for target in fos_trade empty_stage_extended; do
   echo "$target" >"$STATE/broken"
   lab trade point

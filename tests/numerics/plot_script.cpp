@@ -30,7 +30,7 @@ struct Axes {
 };
 
 struct Point {
-  const Row* row;
+  const Measured* row;
   double x;  // ns a pixel
   double y;  // error, > 0
 };
@@ -53,11 +53,11 @@ std::size_t letters(const std::string& utf8) {
 /// The points, by the ratios: they are steadier than the times.
 std::vector<Point> points_of(const Study& study) {
   double base = 1;
-  for (const Row& row : study.rows) {
+  for (const Measured& row : study.rows) {
     if (row.id == baseline_id) base = row.ns.median;
   }
   std::vector<Point> points;
-  for (const Row& row : study.rows) {
+  for (const Measured& row : study.rows) {
     if (!row.errors.I) continue;
     points.push_back({&row, row.ratio * base, static_cast<double>(row.errors.I->max)});
   }
@@ -97,7 +97,7 @@ std::string ticks(const Axes& axes) {
 }
 
 std::string data(const char* name, const std::vector<Point>& points,
-                 const std::function<bool(const Row&)>& wanted) {
+                 const std::function<bool(const Measured&)>& wanted) {
   std::string out = fmt::format("${} << END\n", name);
   for (const Point& point : points) {
     if (wanted(*point.row)) out += fmt::format("{} {}\n", point.x, point.y);
@@ -134,7 +134,7 @@ std::string plot_script(const Study& study, PlotFormat format) {
   std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
   const bool zero = std::any_of(points.begin(), points.end(),
                                 [&](const Point& point) { return point.y == axes.zero; });
-  const auto is_yours = [](const Row& row) { return row.id.starts_with("yours"); };
+  const auto is_yours = [](const Measured& row) { return row.id.starts_with("yours"); };
 
   std::string out = "set encoding utf8\n";
   out += fmt::format("set terminal {} size {},{} font 'DejaVu Sans,22' background rgb 'white'\n",
@@ -162,17 +162,18 @@ std::string plot_script(const Study& study, PlotFormat format) {
         axes.zero);
   }
   out += labels(points, axes);
-  out += data("frontier", points, [](const Row& row) { return row.frontier; });
-  out += data("others", points, [&](const Row& row) { return !row.frontier && !is_yours(row); });
+  out += data("frontier", points, [](const Measured& row) { return row.frontier; });
+  out +=
+      data("others", points, [&](const Measured& row) { return !row.frontier && !is_yours(row); });
   out += data("yours", points, is_yours);
   out += fmt::format("plot $frontier with lines linewidth 4 linecolor rgb '#9ecae1' title {}",
                      quoted(say(text::trade_plot_frontier)));
   // An empty block is an error to gnuplot.
-  const auto has = [&](const std::function<bool(const Row&)>& wanted) {
+  const auto has = [&](const std::function<bool(const Measured&)>& wanted) {
     return std::any_of(points.begin(), points.end(),
                        [&](const Point& point) { return wanted(*point.row); });
   };
-  if (has([&](const Row& row) { return !row.frontier && !is_yours(row); })) {
+  if (has([&](const Measured& row) { return !row.frontier && !is_yours(row); })) {
     out += ", $others with points pointtype 7 pointsize 2.2 linecolor rgb '#a0a0a0' notitle";
   }
   out += ", $frontier with points pointtype 7 pointsize 2.6 linecolor rgb '#08519c' notitle";

@@ -3,7 +3,6 @@
 #include <sched.h>
 
 #include <algorithm>
-#include <cmath>
 #include <ctime>
 
 namespace fos::numerics {
@@ -64,7 +63,7 @@ std::vector<Times> measure(const std::vector<Rung>& rungs, std::size_t pixels, c
   for (const Rung& rung : rungs) {
     rung.render();
     const double once = std::max(time_of(rung, 1), 1.0);
-    frames.push_back(static_cast<int>(std::ceil(Nanoseconds(pace.shortest).count() / once)));
+    frames.push_back(std::max(1, static_cast<int>(Nanoseconds(pace.shortest).count() / once)));
   }
 
   const std::size_t count = rungs.size();

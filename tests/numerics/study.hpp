@@ -9,7 +9,8 @@
 
 namespace fos::numerics {
 
-struct Row {
+/// One row of the table.
+struct Measured {
   std::string id;
   std::string name;
   Spread ns;         ///< nanoseconds a pixel
@@ -20,7 +21,7 @@ struct Row {
 };
 
 struct Study {
-  std::vector<Row> rows;
+  std::vector<Measured> rows;
   std::string scene;
   std::string stage;  ///< whose light all rungs compute, in words; empty for all of the scene's
   int width = 0;      ///< of the canvas measured
@@ -36,11 +37,11 @@ struct Study {
 };
 
 /// The rungs' rows without those that are only a toll, frontier marked.
-std::vector<Row> rows_of(const std::vector<Rung>& rungs, const std::vector<Times>& times,
-                         const Truth& truth);
+std::vector<Measured> rows_of(const std::vector<Rung>& rungs, const std::vector<Times>& times,
+                              const Truth& truth);
 
 /// Marks the frontier of time and largest error of I among the rows that have an I, and the fastest
 /// row with every byte right. A pixel that is not finite is an infinite error.
-void mark_frontier(std::vector<Row>& rows);
+void mark_frontier(std::vector<Measured>& rows);
 
 }  // namespace fos::numerics

@@ -31,7 +31,7 @@ std::string count(long wrong, long open) {
   return fmt::format("{}{}", wrong + open, open > 0 ? "?" : "");
 }
 
-std::string line(const Row& row) {
+std::string line(const Measured& row) {
   const Errors& errors = row.errors;
   const auto error = [&](long double ErrorsOfI::*which) {
     return errors.I ? short_error(*errors.I.*which) : std::string("-");
@@ -103,7 +103,7 @@ std::string table_of(const Study& study) {
   }
   for (const std::string& note : study.notes) out += note + '\n';
   out += '\n' + heading();
-  for (const Row& row : study.rows) out += line(row);
+  for (const Measured& row : study.rows) out += line(row);
   return out + '\n' + legend(study);
 }
 
@@ -117,7 +117,7 @@ std::string csv_of(const Study& study) {
   const auto error = [](const Errors& errors, long double ErrorsOfI::*which) {
     return errors.I ? fmt::format("{}", *errors.I.*which) : std::string();
   };
-  for (const Row& row : study.rows) {
+  for (const Measured& row : study.rows) {
     const Errors& errors = row.errors;
     out += fmt::format(
         "{},{},{},{},{},{},{},{},{},{},{},{},{},{:d},{:d},{},{},{},{},{},{},{},{},{}\r\n", row.id,

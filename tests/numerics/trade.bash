@@ -3,7 +3,7 @@
 
 # trade [STAGE]: builds the program, and the student's stage at every precision, and hands over.
 trade() {
-  local scene=$ROOT/labs/scenes/lecture.scene options=() stages=() plot='' targets=(fos_trade) suffix
+  local scene=$ROOT/labs/scenes/lecture.scene options=() stages=() plot='' targets=(fos_trade) others=()
   while (($#)); do
     TOOK=1
     case $1 in
@@ -28,12 +28,14 @@ trade() {
     source "$BUILD/stages.sh"
     [[ -e $ROOT/labs/${FOS_STAGE_FILE[${stages[0]}]} ]] ||
       fail 1 lab_no_stage_file "labs/${FOS_STAGE_FILE[${stages[0]}]}"
-    for suffix in '' _float _extended; do
-      targets+=("empty_stage$suffix" "lab_${stages[0]}$suffix")
-    done
+    targets+=(empty_stage empty_stage_float empty_stage_extended "lab_${stages[0]}")
+    others=("lab_${stages[0]}_float" "lab_${stages[0]}_extended")
     options+=(--stage "${stages[0]}" --programs "$BUILD/bin")
   fi
   build "$BUILD" "${targets[@]}" || say_what_failed "${targets[@]}"
+  if ((${#others[@]})); then # only now: a mistake is told once, not at every precision
+    build "$BUILD" "${others[@]}" || say_what_failed "${others[@]}"
+  fi
   "$BUILD/bin/fos_trade" --scene "$scene" "${options[@]}"
 }
 
