@@ -7,14 +7,8 @@
 #include <utility>
 
 namespace fos::certified {
-namespace {
 
-using reference::operator-;  // triples are arrays, so that it is not found by their namespace
-using Exact = mpq_class;
-using ExactTriple = reference::Triple<mpq_class>;
-
-/// Within 2^-52 of its size; infinity or 0 where it is out of the range of double.
-double to_double(const Exact& x) {
+double to_double(const mpq_class& x) {
   const auto bits = [](const mpz_class& n) {
     return static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2));
   };
@@ -23,7 +17,13 @@ double to_double(const Exact& x) {
   if (exponent > 1000) return sgn(x) * std::numeric_limits<double>::infinity();
   return x.get_d();
 }
-Triple to_double(const ExactTriple& x) {
+namespace {
+
+using reference::operator-;  // triples are arrays, so that it is not found by their namespace
+using Exact = mpq_class;
+using ExactTriple = reference::Triple<mpq_class>;
+
+Triple to_doubles(const ExactTriple& x) {
   return {to_double(x[0]), to_double(x[1]), to_double(x[2])};
 }
 double length(const Triple& v) {
@@ -90,7 +90,9 @@ void set_shades(const ExactTriple& color, CameraSphere& sphere) {
       sphere.shade_of[i] = sphere.shade_of[earlier];
     } else {
       sphere.shade_of[i] = sphere.shade_count;
-      sphere.shades[static_cast<std::size_t>(sphere.shade_count++)] = sphere.color[i];
+      const auto shade = static_cast<std::size_t>(sphere.shade_count++);
+      sphere.shades[shade] = static_cast<float>(sphere.color[i]);
+      sphere.unlit_shades[shade] = sphere.unlit[i];
     }
   }
 }
@@ -103,7 +105,7 @@ CameraSphere camera_sphere(const reference::ExactScene& scene, std::size_t index
   const Exact& d = scene.projection_plane_d;
   CameraSphere sphere{};
   sphere.index = static_cast<int>(index);
-  sphere.V = to_double(V);
+  sphere.V = to_doubles(V);
   sphere.V_length = length(sphere.V);
   sphere.r = to_double(exact.radius);
   sphere.c = to_double(c);
@@ -130,7 +132,7 @@ CameraSphere camera_sphere(const reference::ExactScene& scene, std::size_t index
   sphere.end_row = clamp_to(scene.height, scene.height / 2.0 + 1 - rows.low);
   sphere.first_column = clamp_to(scene.width, columns.low + scene.width / 2.0);
   sphere.end_column = clamp_to(scene.width, columns.high + scene.width / 2.0 + 2);
-  sphere.color = to_double(exact.color);
+  sphere.color = to_doubles(exact.color);
   sphere.unlit = to_bytes(exact.color, unlit);
   set_shades(exact.color, sphere);
   return sphere;
@@ -148,13 +150,13 @@ Sight sight_of(const reference::ExactScene& scene, const CameraSphere& sphere) {
 CameraLight camera_light(const reference::ExactScene& scene, const reference::ExactLight& exact) {
   CameraLight light{exact.is_point, to_double(exact.intensity), {}, 0, {}, 0};
   ExactTriple L = exact.is_point ? exact.vector - scene.camera : exact.vector;
-  light.M = to_double(L);
+  light.M = to_doubles(L);
   light.M_length = length(light.M);
   // By its largest component first, so that no square leaves the range of double.
   const Exact largest = std::max({abs(L[0]), abs(L[1]), abs(L[2])});
   if (largest == 0) return light;
   for (Exact& component : L) component /= largest;
-  light.direction = to_double(L);
+  light.direction = to_doubles(L);
   light.direction_length = length(light.direction);
   return light;
 }

@@ -55,11 +55,11 @@ struct CameraSphere {
   int first_column, end_column;  ///< nor in other columns
   Sight sight;
   Triple color;
-  std::array<double, 3>
-      shades;  ///< the different channels of the color but 0, `shade_count` of them
   int shade_count;
-  std::array<int, 3> shade_of;  ///< which of them a channel is, -1 for 0
-  Bytes unlit;                  ///< the bytes where no light but the ambient reaches: exact
+  std::array<float, 3> shades;        ///< the different channels of the color but 0
+  std::array<float, 3> unlit_shades;  ///< their bytes where only the ambient light reaches
+  std::array<int, 3> shade_of;        ///< which of them a channel is, -1 for 0
+  Bytes unlit;                        ///< the bytes where no light but the ambient reaches: exact
 };
 
 struct CameraLight {
@@ -71,6 +71,9 @@ struct CameraLight {
                      ///< component is 1; 0 where M is
   double direction_length;
 };
+
+/// Within 2^-52 of its size; infinity or 0 where it is out of the range of double.
+double to_double(const mpq_class& x);
 
 struct CameraScene {
   int width, height;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "double_pixel.hpp"
+#include "exact_hit.hpp"
 #include "exact_pixel.hpp"
 #include "float_row.hpp"
 
@@ -71,6 +71,7 @@ Effort Renderer::render(Picture& picture, Claims* claims) const {
   const auto lists = bands(scene_, plan_);
   std::vector<RowSphere> spheres;
   std::vector<int> undecided;
+  DoublePixel in_double(scene_);
   Effort effort;
   for (int row = 0; row < scene_.height; ++row) {
     std::uint8_t* const rgb = picture.rgb.data() + row_bytes * static_cast<std::size_t>(row);
@@ -83,8 +84,8 @@ Effort Renderer::render(Picture& picture, Claims* claims) const {
       along.in_float &= in_float;
       spheres.push_back(along);
     }
-    std::stable_sort(spheres.begin(), spheres.end(),
-                     [](const auto& a, const auto& b) { return a.nearest_t < b.nearest_t; });
+    std::sort(spheres.begin(), spheres.end(),
+              [](const auto& a, const auto& b) { return a.nearest_t < b.nearest_t; });
     task.Y = static_cast<float>(scene_.ky * scene_.y(row));
     task.spheres = spheres;
     if (claims != nullptr) {
@@ -95,15 +96,16 @@ Effort Renderer::render(Picture& picture, Claims* claims) const {
     undecided.clear();
     float_row(task, rgb, undecided);
     effort.in_float += scene_.width - static_cast<long>(undecided.size());
-    finish_row(row, spheres, undecided, rgb, effort);
+    finish_row(row, spheres, undecided, in_double, rgb, effort);
   }
   picture.rgb.resize(row_bytes * static_cast<std::size_t>(scene_.height));
   return effort;
 }
 
 void Renderer::finish_row(int row, const std::vector<RowSphere>& spheres,
-                          const std::vector<int>& undecided, std::uint8_t* rgb,
-                          Effort& effort) const {
+                          const std::vector<int>& undecided, DoublePixel& in_double,
+                          std::uint8_t* rgb, Effort& effort) const {
+  if (undecided.empty()) return;
   std::vector<const CameraSphere*> candidates;
   for (const int column : undecided) {
     candidates.clear();
@@ -112,11 +114,30 @@ void Renderer::finish_row(int row, const std::vector<RowSphere>& spheres,
         candidates.push_back(each.sphere);
       }
     }
-    std::optional<Bytes> bytes = double_pixel(scene_, candidates, scene_.x(column), scene_.y(row));
+    std::optional<Bytes> bytes = in_double.bytes(candidates, scene_.x(column), scene_.y(row));
     ++(bytes ? effort.in_double : effort.exact);
-    if (!bytes) bytes = exact_pixel(exact_, terms_, column, row).bytes;
+    if (!bytes) bytes = exact_bytes(column, row, candidates, in_double);
     std::copy(bytes->begin(), bytes->end(), rgb + static_cast<std::ptrdiff_t>(column) * 3);
   }
+}
+
+Bytes Renderer::exact_bytes(int column, int row, std::span<const CameraSphere* const> candidates,
+                            const DoublePixel& in_double) const {
+  std::vector<int> indices;
+  for (const CameraSphere* sphere : candidates) indices.push_back(sphere->index);
+  std::sort(indices.begin(), indices.end());  // of two equal t the first in the scene counts
+  const auto hit =
+      reference::exact_hit(exact_, reference::exact_direction(exact_, column, row), indices);
+  if (!hit) return scene_.background;
+  const auto sphere = std::find_if(candidates.begin(), candidates.end(),
+                                   [&](const auto* each) { return each->index == hit->sphere; });
+  const auto rounded = [](const mpq_class& x) { return Bounded::rounded(to_double(x)); };
+  const Bounded root = sqrt(rounded(hit->root.discriminant));
+  const Bounded minus_b = -rounded(hit->root.b);
+  const Bounded t = (hit->root.sign < 0 ? minus_b - root : minus_b + root) /
+                    (Bounded::exactly(2) * rounded(hit->root.a));
+  const auto bytes = in_double.shaded(**sphere, t, scene_.x(column), scene_.y(row));
+  return bytes ? *bytes : exact_pixel(exact_, terms_, column, row).bytes;
 }
 
 }  // namespace fos::certified

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "double_pixel.hpp"
 #include "fos/scene_text.hpp"
 #include "plan.hpp"
 #include "row_sphere.hpp"
@@ -48,8 +49,12 @@ class Renderer {
   const Plan& plan() const { return plan_; }
 
  private:
+  /// What the floats leave of a row.
   void finish_row(int row, const std::vector<RowSphere>& spheres, const std::vector<int>& undecided,
-                  std::uint8_t* rgb, Effort& effort) const;
+                  DoublePixel& in_double, std::uint8_t* rgb, Effort& effort) const;
+  /// The hit by exact arithmetic, then its light by the cheapest way that decides.
+  Bytes exact_bytes(int column, int row, std::span<const CameraSphere* const> candidates,
+                    const DoublePixel& in_double) const;
 
   reference::ExactScene exact_;
   reference::Terms terms_;

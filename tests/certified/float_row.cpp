@@ -77,9 +77,7 @@ HWY_INLINE Hit hit(const RowTask& task, const RowSphere& s, V x) {
 }
 
 /// Takes the sphere in where it is the nearest so far; false where it is that nowhere.
-HWY_INLINE bool take_in(const RowTask& task, const RowSphere& s, float number, V x, M open,
-                        Nearest& nearest) {
-  const Hit h = hit(task, s, x);
+HWY_INLINE bool take_in(const Hit& h, float number, M open, Nearest& nearest) {
   const V low = hn::NegMulAdd(h.t, h.error, h.t);
   const V high = hn::MulAdd(h.t, h.error, h.t);
   const M nearer = hn::And(h.sure, hn::Lt(high, nearest.low));
@@ -95,20 +93,26 @@ HWY_INLINE bool take_in(const RowTask& task, const RowSphere& s, float number, V
 
 /// Sums terms and the bounds of their errors.
 struct Light {
-  HWY_INLINE explicit Light(float ambient)
-      : I(set(ambient)), lost(set(0)), error(set(0)), lit(none()) {}
+  HWY_INLINE explicit Light(const FloatLights& lights)
+      : many(lights.many), I(set(lights.ambient)), lost(set(0)), error(set(0)), lit(none()) {}
 
   HWY_INLINE void add(V term, V bound) {
     const M on = hn::Gt(term, hn::Neg(bound));
     lit = hn::Or(lit, on);
     error = hn::Add(error, hn::IfThenElseZero(on, bound));
+    const V part = hn::Max(term, set(0));  // 0 where it is not on
+    if (!many) {
+      I = hn::Add(I, part);
+      return;
+    }
     // Kahan's sum: its error does not grow with the number of lights.
-    const V part = hn::Sub(hn::IfThenElseZero(on, hn::Max(term, set(0))), lost);
-    const V sum = hn::Add(I, part);
-    lost = hn::Sub(hn::Sub(sum, I), part);
+    const V rest = hn::Sub(part, lost);
+    const V sum = hn::Add(I, rest);
+    lost = hn::Sub(hn::Sub(sum, I), rest);
     I = sum;
   }
 
+  bool many;
   V I;
   V lost;
   V error;
@@ -116,7 +120,7 @@ struct Light {
 };
 
 struct Pixels {
-  std::array<V, 3> bytes;
+  std::array<V, 3> shades;  ///< the bytes of the sphere's shades
   M decided;
   V I;
   V error;
@@ -139,7 +143,7 @@ HWY_INLINE Pixels shaded(const RowTask& task, const RowSphere& s, V x, V t, V t_
   const V eN = hn::MulAdd(eP, inv_r, set(s.n0));
   M good = hn::And(hn::Le(t_error, set(small)), hn::Le(eN, set(small)));
 
-  Light light(lights.ambient);
+  Light light(lights);
   for (const FloatDirectional& each : lights.directional) {
     const V term = dot(Nx, Ny, Nz, set(each.x), set(each.y), set(each.z));
     light.add(term, hn::MulAdd(set(each.I), eN, set(each.rest)));
@@ -157,31 +161,31 @@ HWY_INLINE Pixels shaded(const RowTask& task, const RowSphere& s, V x, V t, V t_
   }
 
   // The bytes at both ends of what I may be. (Of Min's arguments the second is kept if it is NaN.)
-  const V error = hn::MulAdd(set(lights.error_share), light.error, hn::Mul(set(8 * u), light.I));
+  const V error =
+      hn::MulAdd(set(lights.error_share), light.error, hn::Mul(set(lights.sum_share), light.I));
   const CameraSphere& sphere = *s.sphere;
-  std::array<V, 3> shades;
+  std::array<V, 3> shades{set(0), set(0), set(0)};
   M same = good;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(sphere.shade_count); ++i) {
-    const V color = set(static_cast<float>(sphere.shades[i]));
+  for (int i = 0; i < sphere.shade_count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const V color = set(sphere.shades[k]);
     const V channel = hn::Mul(color, light.I);
     const V low = hn::Round(hn::Min(set(255), hn::NegMulAdd(color, error, channel)));
-    shades[i] = hn::Round(hn::Min(set(255), hn::MulAdd(color, error, channel)));
-    same = hn::And(same, hn::Eq(low, shades[i]));
+    const V high = hn::Round(hn::Min(set(255), hn::MulAdd(color, error, channel)));
+    same = hn::And(same, hn::Eq(low, high));
+    shades[k] = hn::IfThenElse(light.lit, high, set(sphere.unlit_shades[k]));
   }
-  std::array<V, 3> bytes;
-  for (std::size_t i = 0; i < 3; ++i) {
-    bytes[i] = sphere.shade_of[i] < 0
-                   ? set(0)
-                   : hn::IfThenElse(light.lit, shades[static_cast<std::size_t>(sphere.shade_of[i])],
-                                    set(static_cast<float>(sphere.unlit[i])));
-  }
-  return {bytes, hn::Or(same, hn::AndNot(light.lit, good)), light.I,
+  return {shades, hn::Or(same, hn::AndNot(light.lit, good)), light.I,
           hn::IfThenElse(good, error, set(-1))};
 }
 
-HWY_INLINE Pixels unlit(const RowSphere& s) {
-  const auto byte = [&](std::size_t i) { return set(static_cast<float>(s.sphere->unlit[i])); };
-  return {{byte(0), byte(1), byte(2)}, hn::Not(none()), set(0), set(0)};
+HWY_INLINE Pixels unlit(const CameraSphere& sphere) {
+  const auto shade = [&](std::size_t i) { return set(sphere.unlit_shades[i]); };
+  return {{shade(0), shade(1), shade(2)}, hn::Not(none()), set(0), set(0)};
+}
+
+HWY_INLINE Pixels pixels_of(const RowTask& task, const RowSphere& s, V x, V t, V t_error) {
+  return task.shade ? shaded(task, s, x, t, t_error) : unlit(*s.sphere);
 }
 
 HWY_INLINE auto to_u8(V bytes) {
@@ -194,17 +198,42 @@ HWY_INLINE void claim(M here, const Pixels& pixels, int column, RowClaims& claim
   hn::BlendedStore(pixels.error, here, tag, claims.error + column);
 }
 
-/// The pixels from `column` on, as many as a vector has lanes.
-void group(const RowTask& task, std::span<const int> candidates, int column, std::uint8_t* rgb,
-           std::vector<int>& undecided) {
+HWY_INLINE void report(M unsure, int column, int width, std::vector<int>& undecided) {
+  if (hn::AllFalse(tag, unsure)) return;
+  std::array<std::uint8_t, 8> bits{};
+  hn::StoreMaskBits(tag, unsure, bits.data());
   const int lanes = static_cast<int>(hn::Lanes(tag));
-  const V columns = hn::Iota(tag, static_cast<float>(column));
-  const V x = hn::Sub(columns, set(static_cast<float>(task.width) / 2));
+  for (int i = 0; i < lanes && column + i < width; ++i) {
+    const auto byte = bits[static_cast<std::size_t>(i / 8)];
+    if ((byte >> (i % 8) & 1) != 0) undecided.push_back(column + i);
+  }
+}
+
+/// Stores pixels that show one sphere.
+HWY_INLINE void store(const Pixels& pixels, const CameraSphere& sphere, std::uint8_t* rgb) {
+  const auto black = to_u8(set(0));
+  std::array<decltype(to_u8(set(0))), 4> channels{black, black, black, black};
+  for (int i = 0; i < sphere.shade_count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    channels[k + 1] = to_u8(pixels.shades[k]);
+  }
+  const auto channel = [&](std::size_t i) {
+    return channels[static_cast<std::size_t>(sphere.shade_of[i] + 1)];
+  };
+  hn::StoreInterleaved3(channel(0), channel(1), channel(2), hn::Rebind<std::uint8_t, Tag>(), rgb);
+}
+
+/// Pixels, as many as a vector has lanes, that show different things or that floats are not sure
+/// of. `first` is the candidate whose hit is known, the nearest.
+HWY_NOINLINE void mixed_group(const RowTask& task, std::span<const int> candidates, int column,
+                              V columns, V x, const Hit* first, std::uint8_t* rgb,
+                              std::vector<int>& undecided) {
+  const int lanes = static_cast<int>(hn::Lanes(tag));
   std::array<const RowSphere*, 32> winners{};
   std::size_t count = 0;
   Nearest nearest{set(0), set(0), set(1e38F), set(1e38F), set(-1), none()};
-  for (const int candidate : candidates) {
-    const RowSphere& s = task.spheres[static_cast<std::size_t>(candidate)];
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const RowSphere& s = task.spheres[static_cast<std::size_t>(candidates[i])];
     if (s.end_column <= column || s.first_column >= column + lanes) continue;
     const M open = hn::Not(hn::Lt(nearest.high, set(s.nearest_t)));
     if (hn::AllFalse(tag, open)) break;
@@ -212,7 +241,8 @@ void group(const RowTask& task, std::span<const int> candidates, int column, std
       const M there = hn::And(hn::Ge(columns, set(static_cast<float>(s.first_column))),
                               hn::Lt(columns, set(static_cast<float>(s.end_column))));
       nearest.unsure = hn::Or(nearest.unsure, hn::And(open, there));
-    } else if (take_in(task, s, static_cast<float>(count), x, open, nearest)) {
+    } else if (take_in(i == 0 && first != nullptr ? *first : hit(task, s, x),
+                       static_cast<float>(count), open, nearest)) {
       winners[count++] = &s;
     }
   }
@@ -224,10 +254,11 @@ void group(const RowTask& task, std::span<const int> candidates, int column, std
     for (std::size_t i = 0; i < count; ++i) {
       const M here = hn::Eq(nearest.sphere, set(static_cast<float>(i)));
       if (hn::AllFalse(tag, here)) continue;
-      const Pixels pixels =
-          task.shade ? shaded(task, *winners[i], x, nearest.t, nearest.error) : unlit(*winners[i]);
+      const Pixels pixels = pixels_of(task, *winners[i], x, nearest.t, nearest.error);
       for (std::size_t k = 0; k < 3; ++k) {
-        bytes[k] = hn::IfThenElse(here, pixels.bytes[k], bytes[k]);
+        const int shade = winners[i]->sphere->shade_of[k];
+        const V byte = shade < 0 ? set(0) : pixels.shades[static_cast<std::size_t>(shade)];
+        bytes[k] = hn::IfThenElse(here, byte, bytes[k]);
       }
       unsure = hn::Or(unsure, hn::AndNot(pixels.decided, here));
       if (task.claims != nullptr) {
@@ -237,14 +268,43 @@ void group(const RowTask& task, std::span<const int> candidates, int column, std
     hn::StoreInterleaved3(to_u8(bytes[0]), to_u8(bytes[1]), to_u8(bytes[2]),
                           hn::Rebind<std::uint8_t, Tag>(), rgb + 3 * column);
   }
-  if (!hn::AllFalse(tag, unsure)) {
-    std::array<std::uint8_t, 8> bits{};
-    hn::StoreMaskBits(tag, unsure, bits.data());
-    for (int i = 0; i < lanes && column + i < task.width; ++i) {
-      const auto byte = bits[static_cast<std::size_t>(i / 8)];
-      if ((byte >> (i % 8) & 1) != 0) undecided.push_back(column + i);
-    }
+  report(unsure, column, task.width, undecided);
+}
+
+/// The pixels from `column` on, as many as a vector has lanes; `candidates` overlap them, or lie in
+/// the same section.
+HWY_INLINE void group(const RowTask& task, std::span<const int> candidates, int column,
+                      std::uint8_t* rgb, std::vector<int>& undecided) {
+  const int lanes = static_cast<int>(hn::Lanes(tag));
+  const auto overlaps = [&](const RowSphere& s) {
+    return s.first_column < column + lanes && column < s.end_column;
+  };
+  while (!candidates.empty() && !overlaps(task.spheres[static_cast<std::size_t>(candidates[0])])) {
+    candidates = candidates.subspan(1);
   }
+  if (candidates.empty()) return;
+  const V columns = hn::Iota(tag, static_cast<float>(column));
+  const V x = hn::Sub(columns, set(static_cast<float>(task.width) / 2));
+  const RowSphere& s = task.spheres[static_cast<std::size_t>(candidates[0])];
+  if (!s.in_float) {
+    mixed_group(task, candidates, column, columns, x, nullptr, rgb, undecided);
+    return;
+  }
+  // Mostly all of them surely show the nearest sphere, and no other can be in front of it.
+  const Hit h = hit(task, s, x);
+  M alone = h.sure;
+  if (candidates.size() > 1) {
+    const V next = set(task.spheres[static_cast<std::size_t>(candidates[1])].nearest_t);
+    alone = hn::And(alone, hn::Lt(hn::MulAdd(h.t, h.error, h.t), next));
+  }
+  if (!hn::AllTrue(tag, alone)) {
+    mixed_group(task, candidates, column, columns, x, &h, rgb, undecided);
+    return;
+  }
+  const Pixels pixels = pixels_of(task, s, x, h.t, h.error);
+  if (task.claims != nullptr) claim(hn::Not(none()), pixels, column, *task.claims);
+  store(pixels, *s.sphere, rgb + 3 * column);
+  report(hn::Not(pixels.decided), column, task.width, undecided);
 }
 
 /// Pixels with one list of candidates: long, so that there are few lists, but not much longer than

@@ -40,7 +40,7 @@ row_sphere|sphere.c / (2 * largest_h)|sphere.c / largest_h
 float_row|hn::MulAdd(set(each.I), eN, set(each.rest))|set(each.rest)
 float_row|hn::Gt(disc, E)|hn::Gt(disc, set(0))
 float_row|hn::Lt(disc, hn::Neg(E))|hn::Le(disc, set(0))
-float_row|hn::Mul(set(8 * u), light.I)|set(0)
+float_row|hn::Mul(set(lights.sum_share), light.I)|set(0)
 float_row|hn::Or(same, hn::AndNot(light.lit, good))|hn::Not(none())
 float_row|nearest.unsure = hn::Or(nearest.unsure, hn::And(open, hn::Not(hn::Or(nearer, farther))));|
 float_row|undecided.push_back(column + i)|undecided.push_back(column + i % 3)

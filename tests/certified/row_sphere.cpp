@@ -85,8 +85,10 @@ bool along_row(const CameraScene& scene, const CameraSphere& sphere, double y, b
   const bool near_only = sphere.near_only || 2 * largest_h <= sphere.c;
   row.roots = sphere.inside ? Roots::far : near_only ? Roots::near : Roots::either;
 
-  // Relative to t: the roundings of c or a, of s, g and the division, and the errors of h and s.
-  row.At = static_cast<float>(10 * U + 1.05 * Eh / g_least);
+  // Relative to t: the roundings of c (or of a, which has six), of s, g and the division, and the
+  // errors of h and s.
+  const double roundings = row.roots == Roots::near ? 4.2 : 10;
+  row.At = static_cast<float>(roundings * U + 1.05 * Eh / g_least);
   row.Bt = static_cast<float>(1.05 / g_least);
   // P is at most so far away: from outside the near root is not beyond the tangents, √c long.
   const double reach = row.roots == Roots::near ? std::sqrt(sphere.c) : sphere.V_length + sphere.r;
