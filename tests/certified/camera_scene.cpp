@@ -132,6 +132,8 @@ CameraSphere camera_sphere(const reference::ExactScene& scene, std::size_t index
   sphere.end_row = clamp_to(scene.height, scene.height / 2.0 + 1 - rows.low);
   sphere.first_column = clamp_to(scene.width, columns.low + scene.width / 2.0);
   sphere.end_column = clamp_to(scene.width, columns.high + scene.width / 2.0 + 2);
+  sphere.inv_r = static_cast<float>(1 / sphere.r);
+  for (std::size_t i = 0; i < 3; ++i) sphere.W[i] = static_cast<float>(sphere.V[i] / sphere.r);
   sphere.color = to_doubles(exact.color);
   sphere.unlit = to_bytes(exact.color, unlit);
   set_shades(exact.color, sphere);

@@ -54,6 +54,8 @@ struct CameraSphere {
   int first_row, end_row;  ///< it cannot be seen in other rows
   int first_column, end_column;  ///< nor in other columns
   Sight sight;
+  float inv_r;
+  std::array<float, 3> W;  ///< V/r
   Triple color;
   int shade_count;
   std::array<float, 3> shades;        ///< the different channels of the color but 0

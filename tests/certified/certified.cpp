@@ -4,7 +4,6 @@
 
 #include "exact_hit.hpp"
 #include "exact_pixel.hpp"
-#include "float_row.hpp"
 
 namespace fos::certified {
 namespace {
@@ -70,7 +69,7 @@ Effort Renderer::render(Picture& picture, Claims* claims) const {
 
   const auto lists = bands(scene_, plan_);
   std::vector<RowSphere> spheres;
-  std::vector<int> undecided;
+  std::vector<Undecided> undecided;
   DoublePixel in_double(scene_);
   Effort effort;
   for (int row = 0; row < scene_.height; ++row) {
@@ -103,14 +102,15 @@ Effort Renderer::render(Picture& picture, Claims* claims) const {
 }
 
 void Renderer::finish_row(int row, const std::vector<RowSphere>& spheres,
-                          const std::vector<int>& undecided, DoublePixel& in_double,
+                          const std::vector<Undecided>& undecided, DoublePixel& in_double,
                           std::uint8_t* rgb, Effort& effort) const {
   if (undecided.empty()) return;
   std::vector<const CameraSphere*> candidates;
-  for (const int column : undecided) {
+  for (const auto& [column, known] : undecided) {
     candidates.clear();
+    if (known != nullptr) candidates.push_back(known);
     for (const RowSphere& each : spheres) {
-      if (each.first_column <= column && column < each.end_column) {
+      if (known == nullptr && each.first_column <= column && column < each.end_column) {
         candidates.push_back(each.sphere);
       }
     }

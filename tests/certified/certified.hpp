@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "double_pixel.hpp"
+#include "float_row.hpp"
 #include "fos/scene_text.hpp"
 #include "plan.hpp"
-#include "row_sphere.hpp"
 
 namespace fos::certified {
 
@@ -50,8 +50,9 @@ class Renderer {
 
  private:
   /// What the floats leave of a row.
-  void finish_row(int row, const std::vector<RowSphere>& spheres, const std::vector<int>& undecided,
-                  DoublePixel& in_double, std::uint8_t* rgb, Effort& effort) const;
+  void finish_row(int row, const std::vector<RowSphere>& spheres,
+                  const std::vector<Undecided>& undecided, DoublePixel& in_double,
+                  std::uint8_t* rgb, Effort& effort) const;
   /// The hit by exact arithmetic, then its light by the cheapest way that decides.
   Bytes exact_bytes(int column, int row, std::span<const CameraSphere* const> candidates,
                     const DoublePixel& in_double) const;

@@ -39,7 +39,7 @@ FloatLights float_lights(const CameraScene& scene, const std::vector<double>& re
     } else {
       const auto M = [&](std::size_t axis) { return static_cast<float>(light.M[axis]); };
       lights.point.push_back({I, M(0), M(1), M(2), static_cast<float>(1.1 * U * light.M_length),
-                              static_cast<float>(13 * U * light.I)});
+                              static_cast<float>(18 * U * light.I)});
     }
   }
   return lights;

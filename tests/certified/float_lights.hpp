@@ -2,7 +2,7 @@
 //
 // A term is I max(0, cos). It adds nothing to the error where it is surely not positive.
 //   directional  |error| <= I eN + rest,                 rest = 5u I (+ what replaced a point
-//   light) point        |error| <= I (eN + 2.1 w) + rest,       rest = 13u I, w = (eP + m) / |L| <=
+//   light) point        |error| <= I (eN + 2.1 w) + rest,       rest = 18u I, w = (eP + m) / |L| <=
 //   1/64
 // with m = 1.1u |M| for the rounding of L = M − P. Where w is larger, floats do not decide.
 #pragma once

@@ -20,6 +20,12 @@ struct RowClaims {
   float* error;
 };
 
+/// A pixel that floats leave open: its light only, where the sphere is known.
+struct Undecided {
+  int column;
+  const CameraSphere* sphere;  ///< nullptr: what is seen is open too
+};
+
 struct RowTask {
   int width;
   float kx, Y, d;   ///< D = (x kx, Y, d)
@@ -31,9 +37,9 @@ struct RowTask {
   RowClaims* claims = nullptr;         ///< to be filled in where it is asked for
 };
 
-/// Writes the pixels that show a sphere into `rgb`, which holds the background, and appends the
-/// columns that it does not decide to `undecided`.
-void float_row(const RowTask& task, std::uint8_t* rgb, std::vector<int>& undecided);
+/// Writes the pixels that show a sphere into `rgb`, which holds the background, and appends those
+/// that it does not decide to `undecided`.
+void float_row(const RowTask& task, std::uint8_t* rgb, std::vector<Undecided>& undecided);
 
 /// The instruction set that float_row uses here: AVX3, AVX2, ...
 const char* float_row_target();

@@ -43,7 +43,7 @@ float_row|hn::Lt(disc, hn::Neg(E))|hn::Le(disc, set(0))
 float_row|hn::Mul(set(lights.sum_share), light.I)|set(0)
 float_row|hn::Or(same, hn::AndNot(light.lit, good))|hn::Not(none())
 float_row|nearest.unsure = hn::Or(nearest.unsure, hn::And(open, hn::Not(hn::Or(nearer, farther))));|
-float_row|undecided.push_back(column + i)|undecided.push_back(column + i % 3)
+float_row|undecided.push_back({column + i, sphere})|undecided.push_back({column + i % 3, sphere})
 double_pixel|disc.low() >= 0|true
 double_pixel|const bool in_range = t.low() >= 1;|const bool in_range = true;
 double_pixel|!is_less(nearest->t, candidate.t)|false

@@ -92,11 +92,8 @@ bool along_row(const CameraScene& scene, const CameraSphere& sphere, double y, b
   row.Bt = static_cast<float>(1.05 / g_least);
   // P is at most so far away: from outside the near root is not beyond the tangents, √c long.
   const double reach = row.roots == Roots::near ? std::sqrt(sphere.c) : sphere.V_length + sphere.r;
-  row.inv_r = static_cast<float>(1 / sphere.r);
-  row.Wx = static_cast<float>(sphere.V[0] / sphere.r);
-  row.Wy = static_cast<float>(sphere.V[1] / sphere.r);
-  row.Wz = static_cast<float>(sphere.V[2] / sphere.r);
-  row.n0 = static_cast<float>(U * (1.01 * (2.1 * reach + 1.1 * sphere.V_length) / sphere.r + 1.2));
+  row.n0 =
+      static_cast<float>(U * (1.01 * (2.1 * reach + 1.1 * sphere.V_length) * sphere.inv_r + 1.2));
 
   row.in_float = row.At <= 0x1p-8F;  // so that Eh < g_least / 256: the sign of h is beyond doubt
   return true;

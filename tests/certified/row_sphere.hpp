@@ -37,8 +37,6 @@ struct RowSphere {
   float c;   ///< |c|
   float a0;  ///< a = a0 + (x kx)²
   float At, Bt;
-  float inv_r;
-  float Wx, Wy, Wz;  ///< V/r
   float n0;
 };
 
