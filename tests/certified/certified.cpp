@@ -51,7 +51,6 @@ Effort Renderer::render(Picture& picture, Claims* claims) const {
                static_cast<float>(scene_.kx),
                0,
                static_cast<float>(scene_.d),
-               static_cast<float>(scene_.longest_D * (1 + 1e-6)),
                scene_.background,
                plan_.shade,
                &lights,

@@ -15,6 +15,9 @@ FloatLights float_lights(const CameraScene& scene, const std::vector<double>& re
   FloatLights lights;
   lights.suit = scene.ambient == 0 || (scene.ambient >= 0x1p-40 && scene.ambient <= 0x1p40);
   lights.ambient = static_cast<float>(scene.ambient);
+  double brightest = scene.ambient;
+  for (const CameraLight& light : scene.lights) brightest += light.I;
+  lights.brightest = static_cast<float>(brightest * (1 + 1e-6));
   // The ambient light and the colors round once each, the channel and its two ends three times; a
   // plain sum rounds once a light, a compensated one about twice in all.
   const double count = static_cast<double>(scene.lights.size());

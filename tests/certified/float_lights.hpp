@@ -29,6 +29,7 @@ struct FloatPoint {
 struct FloatLights {
   bool suit = true;  ///< false: a light is out of the floats' range
   float ambient = 0;
+  float brightest = 0;        ///< I is not more
   bool many = false;          ///< so many that their sum is compensated
   float sum_share = 0;        ///< what rounding may do to I, relative to it
   float error_share = 1.02F;  ///< what rounding adds to a sum of that many error bounds

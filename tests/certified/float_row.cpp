@@ -29,7 +29,7 @@ constexpr float small = 1.0F / 64;
 /// What a group of neighbouring pixels sees, with t in [low, high].
 struct Nearest {
   V t;
-  V error;  ///< of t, relative
+  V P_error;  ///< eP/t
   V low;
   V high;
   V sphere;  ///< which of the winners, -1 for none
@@ -39,52 +39,58 @@ struct Nearest {
 /// A sphere's hit in each pixel, as far as floats can tell.
 struct Hit {
   V t;
-  V error;  ///< of t, relative
+  V P_error;  ///< eP/t
+  V error;    ///< of t, relative, with what comparing t rounds
   M sure;
   M missed;
 };
+
+HWY_INLINE V higher(const Hit& h) { return hn::MulAdd(h.t, h.error, h.t); }
+HWY_INLINE V lower(const Hit& h) { return hn::NegMulAdd(h.t, h.error, h.t); }
 
 HWY_INLINE Hit hit(const RowTask& task, const RowSphere& s, V x) {
   // The letters, and every bound, are row_sphere.hpp's.
   const V delta = hn::Sub(hn::Sub(x, set(s.xi)), set(s.xf));
   const V T = hn::Mul(set(s.k), hn::Mul(delta, delta));
   const V disc = hn::Sub(set(s.q), T);
-  const V E = hn::MulAdd(set(T_share), hn::Abs(T), set(s.E0));
-  const V h = hn::MulAdd(set(s.hx), x, set(s.h0));
   const V root = hn::Sqrt(hn::Max(disc, set(0)));
-  const V g = hn::Add(hn::Abs(h), root);
-  const V t = hn::Div(set(s.c), g);
-  const V error = hn::MulAdd(hn::Mul(set(s.Bt), E), hn::ApproximateReciprocal(root), set(s.At));
-  Hit result{t, error, hn::Gt(disc, E), hn::Lt(disc, hn::Neg(E))};
+  const V h = hn::MulAdd(set(s.hx), x, set(s.h0));
+  V E = set(s.E);
+  V rate = set(s.P_rate);
+  if (s.k < 0) {
+    E = hn::MulAdd(set(T_share), hn::Abs(T), E);
+    rate = hn::Mul(rate, E);
+  }
+  const V P_error = hn::MulAdd(rate, hn::ApproximateReciprocal(root), set(s.P_error));
+  const V error = hn::MulAdd(P_error, set(s.inv_D), set(2 * u));
+  Hit result{hn::Div(set(s.c), hn::Add(hn::Abs(h), root)), P_error, error, hn::Gt(disc, E),
+             hn::Lt(disc, hn::Neg(E))};
   const M behind = hn::Lt(h, set(0));
-  if (s.roots != Roots::far) {
+  if (s.roots != Roots::far && !s.in_front) {
     result.missed = hn::Or(result.missed, behind);
     result.sure = hn::AndNot(behind, result.sure);
   }
   if (s.roots != Roots::near) {
     const V X = hn::Mul(set(task.kx), x);
-    const V far = hn::Div(g, hn::MulAdd(X, X, set(s.a0)));
-    const V near_end = hn::MulAdd(t, error, t);
-    const M is_far = s.roots == Roots::far ? hn::Not(behind) : hn::Lt(near_end, set(1));
-    result.t = hn::IfThenElse(is_far, far, t);
+    const V far = hn::Div(hn::Add(hn::Abs(h), root), hn::MulAdd(X, X, set(s.a0)));
+    const M is_far = s.roots == Roots::far ? hn::Not(behind) : hn::Lt(higher(result), set(1));
+    result.t = hn::IfThenElse(is_far, far, result.t);
     // What is shown has t >= 1.
-    const V low = hn::NegMulAdd(result.t, error, result.t);
-    const V high = hn::MulAdd(result.t, error, result.t);
-    result.missed = hn::Or(result.missed, hn::Lt(high, set(1)));
-    result.sure = hn::And(result.sure, hn::Ge(low, set(1)));
+    result.missed = hn::Or(result.missed, hn::Lt(higher(result), set(1)));
+    result.sure = hn::And(result.sure, hn::Ge(lower(result), set(1)));
   }
   return result;
 }
 
 /// Takes the sphere in where it is the nearest so far; false where it is that nowhere.
 HWY_INLINE bool take_in(const Hit& h, float number, M open, Nearest& nearest) {
-  const V low = hn::NegMulAdd(h.t, h.error, h.t);
-  const V high = hn::MulAdd(h.t, h.error, h.t);
+  const V low = lower(h);
+  const V high = higher(h);
   const M nearer = hn::And(h.sure, hn::Lt(high, nearest.low));
   const M farther = hn::Or(h.missed, hn::And(h.sure, hn::Gt(low, nearest.high)));
   nearest.unsure = hn::Or(nearest.unsure, hn::And(open, hn::Not(hn::Or(nearer, farther))));
   nearest.t = hn::IfThenElse(nearer, h.t, nearest.t);
-  nearest.error = hn::IfThenElse(nearer, h.error, nearest.error);
+  nearest.P_error = hn::IfThenElse(nearer, h.P_error, nearest.P_error);
   nearest.low = hn::IfThenElse(nearer, low, nearest.low);
   nearest.high = hn::IfThenElse(nearer, high, nearest.high);
   nearest.sphere = hn::IfThenElse(nearer, set(number), nearest.sphere);
@@ -144,7 +150,7 @@ HWY_INLINE V inverse_sqrt(V x) {
 #endif
 }
 
-HWY_INLINE Pixels shaded(const RowTask& task, const RowSphere& s, V x, V t, V t_error) {
+HWY_INLINE Pixels shaded(const RowTask& task, const RowSphere& s, V x, V t, V P_error) {
   const FloatLights& lights = *task.lights;
   const V Px = hn::Mul(t, hn::Mul(set(task.kx), x));
   const V Py = hn::Mul(t, set(task.Y));
@@ -153,9 +159,9 @@ HWY_INLINE Pixels shaded(const RowTask& task, const RowSphere& s, V x, V t, V t_
   const V Nx = hn::MulSub(Px, inv_r, set(s.sphere->W[0]));
   const V Ny = hn::MulSub(Py, inv_r, set(s.sphere->W[1]));
   const V Nz = hn::MulSub(Pz, inv_r, set(s.sphere->W[2]));
-  const V eP = hn::Mul(hn::Mul(t, set(task.longest_D)), hn::Add(t_error, set(4 * u)));
+  const V eP = hn::Mul(t, P_error);
   const V eN = hn::MulAdd(eP, inv_r, set(s.n0));
-  M good = hn::And(hn::Le(t_error, set(small)), hn::Le(eN, set(small)));
+  M good = hn::And(hn::Le(hn::Mul(P_error, set(s.inv_D)), set(small)), hn::Le(eN, set(small)));
 
   Light light(lights);
   for (const FloatDirectional& each : lights.directional) {
@@ -174,7 +180,7 @@ HWY_INLINE Pixels shaded(const RowTask& task, const RowSphere& s, V x, V t, V t_
     light.add(hn::Mul(set(each.I), cosine), bound);
   }
 
-  // The bytes at both ends of what I may be. (Of Min's arguments the second is kept if it is NaN.)
+  // The bytes at both ends of what I may be.
   const V error =
       hn::MulAdd(set(lights.error_share), light.error, hn::Mul(set(lights.sum_share), light.I));
   const CameraSphere& sphere = *s.sphere;
@@ -183,10 +189,16 @@ HWY_INLINE Pixels shaded(const RowTask& task, const RowSphere& s, V x, V t, V t_
   for (int i = 0; i < sphere.shade_count; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const V color = set(sphere.shades[k]);
+    const bool color_may_clip = sphere.shades[k] * lights.brightest > 255.4F;
     const V channel = hn::Mul(color, light.I);
-    const V low = hn::Round(hn::Min(set(255), hn::NegMulAdd(color, error, channel)));
-    const V high = hn::Round(hn::Min(set(255), hn::MulAdd(color, error, channel)));
-    same = hn::And(same, hn::Eq(low, high));
+    V low = hn::NegMulAdd(color, error, channel);
+    V high = hn::MulAdd(color, error, channel);
+    if (color_may_clip) {  // (of Min's arguments the second is kept if it is NaN)
+      low = hn::Min(set(255), low);
+      high = hn::Min(set(255), high);
+    }
+    high = hn::Round(high);
+    same = hn::And(same, hn::Eq(hn::Round(low), high));
     shades[k] = hn::IfThenElse(light.lit, high, set(sphere.unlit_shades[k]));
   }
   return {shades, hn::Or(same, hn::AndNot(light.lit, good)), light.I,
@@ -198,8 +210,8 @@ HWY_INLINE Pixels unlit(const CameraSphere& sphere) {
   return {{shade(0), shade(1), shade(2)}, hn::Not(none()), set(0), set(0)};
 }
 
-HWY_INLINE Pixels pixels_of(const RowTask& task, const RowSphere& s, V x, V t, V t_error) {
-  return task.shade ? shaded(task, s, x, t, t_error) : unlit(*s.sphere);
+HWY_INLINE Pixels pixels_of(const RowTask& task, const RowSphere& s, V x, V t, V P_error) {
+  return task.shade ? shaded(task, s, x, t, P_error) : unlit(*s.sphere);
 }
 
 HWY_INLINE auto to_u8(V bytes) {
@@ -268,7 +280,7 @@ HWY_NOINLINE void mixed_group(const RowTask& task, std::span<const int> candidat
     for (std::size_t i = 0; i < count; ++i) {
       const M here = hn::Eq(nearest.sphere, set(static_cast<float>(i)));
       if (hn::AllFalse(tag, here)) continue;
-      const Pixels pixels = pixels_of(task, *winners[i], x, nearest.t, nearest.error);
+      const Pixels pixels = pixels_of(task, *winners[i], x, nearest.t, nearest.P_error);
       for (std::size_t k = 0; k < 3; ++k) {
         const int shade = winners[i]->sphere->shade_of[k];
         const V byte = shade < 0 ? set(0) : pixels.shades[static_cast<std::size_t>(shade)];
@@ -310,13 +322,13 @@ HWY_INLINE void group(const RowTask& task, std::span<const int> candidates, int 
   M alone = h.sure;
   if (candidates.size() > 1) {
     const V next = set(task.spheres[static_cast<std::size_t>(candidates[1])].nearest_t);
-    alone = hn::And(alone, hn::Lt(hn::MulAdd(h.t, h.error, h.t), next));
+    alone = hn::And(alone, hn::Lt(higher(h), next));
   }
   if (!hn::AllTrue(tag, alone)) {
     mixed_group(task, candidates, column, columns, x, &h, rgb, undecided);
     return;
   }
-  const Pixels pixels = pixels_of(task, s, x, h.t, h.error);
+  const Pixels pixels = pixels_of(task, s, x, h.t, h.P_error);
   if (task.claims != nullptr) claim(hn::Not(none()), pixels, column, *task.claims);
   store(pixels, *s.sphere, rgb + 3 * column);
   report(hn::Not(pixels.decided), s.sphere, column, task.width, undecided);

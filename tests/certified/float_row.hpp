@@ -28,8 +28,7 @@ struct Undecided {
 
 struct RowTask {
   int width;
-  float kx, Y, d;   ///< D = (x kx, Y, d)
-  float longest_D;  ///< |D| is not more
+  float kx, Y, d;  ///< D = (x kx, Y, d)
   Bytes background;
   bool shade;  ///< false: nothing but the ambient light, so neither P nor N is needed
   const FloatLights* lights;

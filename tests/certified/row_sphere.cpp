@@ -60,13 +60,18 @@ bool along_row(const CameraScene& scene, const CameraSphere& sphere, double y, b
   row.k = static_cast<float>(sphere.k);
   row.xi = static_cast<float>(xi);
   row.xf = static_cast<float>(xf);
-  row.E0 = static_cast<float>(1.01 *
-                              (2.1 * U * std::abs(q) + dq + 1.1 * std::abs(sphere.k) * e * e / U));
+  // Around xc a hit has T <= q, so that E is one number for the row. (Beyond, where disc < -E, E
+  // grows by less than disc does: what is taken for a miss is one.)
+  const double E0 = 1.01 * (2.1 * U * std::abs(q) + dq + 1.1 * std::abs(sphere.k) * e * e / U);
+  const double E = sphere.k > 0 ? (E0 + 7.5 * U * std::abs(q)) * (1 + 1e-6) : E0;
+  row.E = static_cast<float>(E);
 
   const double h0 = sphere.h[0] + y * sphere.h[1];
   const double dh0 = slack * (std::abs(sphere.h[0]) + std::abs(y * sphere.h[1]));
   const double widest = std::abs(sphere.hx) * scene.width / 2;
   const double Eh = 1.01 * (2 * U * std::abs(h0) + dh0 + 3.2 * U * widest);
+  row.in_front = h0 > widest + Eh;
+  if (!sphere.inside && h0 < -(widest + Eh)) return false;
   row.h0 = static_cast<float>(h0);
   row.hx = static_cast<float>(sphere.hx);
   row.c = static_cast<float>(std::abs(sphere.c));
@@ -88,14 +93,21 @@ bool along_row(const CameraScene& scene, const CameraSphere& sphere, double y, b
   // Relative to t: the roundings of c (or of a, which has six), of s, g and the division, and the
   // errors of h and s.
   const double roundings = row.roots == Roots::near ? 4.2 : 10;
-  row.At = static_cast<float>(roundings * U + 1.05 * Eh / g_least);
-  row.Bt = static_cast<float>(1.05 / g_least);
+  const double At = roundings * U + 1.05 * Eh / g_least;
+  const double Bt = 1.05 / g_least;
+  // The longest D among its columns.
+  const double x = std::max(std::abs(row.first_column - scene.width / 2.0),
+                            std::abs(row.end_column - scene.width / 2.0));
+  const double D = std::sqrt(a0 + scene.kx * scene.kx * x * x) * (1 + 1e-9);
+  row.inv_D = static_cast<float>(1 / D);
+  row.P_error = static_cast<float>(D * (At + 4 * U) * (1 + 1e-6));
+  row.P_rate = static_cast<float>(D * Bt * (sphere.k > 0 ? E : 1) * (1 + 1e-6));
   // P is at most so far away: from outside the near root is not beyond the tangents, √c long.
   const double reach = row.roots == Roots::near ? std::sqrt(sphere.c) : sphere.V_length + sphere.r;
   row.n0 =
       static_cast<float>(U * (1.01 * (2.1 * reach + 1.1 * sphere.V_length) * sphere.inv_r + 1.2));
 
-  row.in_float = row.At <= 0x1p-8F;  // so that Eh < g_least / 256: the sign of h is beyond doubt
+  row.in_float = At <= 0x1p-8;  // so that Eh < g_least / 256: the sign of h is beyond doubt
   return true;
 }
 

@@ -31,12 +31,15 @@ struct RowSphere {
   int first_column, end_column;  ///< in this row it can only be seen here
   bool in_float;                 ///< false: floats cannot tell; where it may be seen, doubles must
   Roots roots;
+  bool in_front;  ///< h > 0 all along the row
   float nearest_t;
-  float q, k, xi, xf, E0;
+  float q, k, xi, xf;
+  float E;  ///< where k > 0; else E0
   float h0, hx;
-  float c;   ///< |c|
-  float a0;  ///< a = a0 + (x kx)²
-  float At, Bt;
+  float c;                ///< |c|
+  float a0;               ///< a = a0 + (x kx)²
+  float inv_D;            ///< 1/|D|, for the longest D
+  float P_error, P_rate;  ///< eP/t = P_error + P_rate/ŝ where k > 0, else P_error + P_rate E/ŝ
   float n0;
 };
 

@@ -20,7 +20,7 @@ struct Pace {
   int at_least = 3;                     ///< whatever they take
   std::chrono::milliseconds budget{0};  ///< no round begins after it; 0 for none
   /// Short frames are rendered as often as this takes, so that the clock's own steps do not count.
-  std::chrono::milliseconds shortest{5};
+  std::chrono::milliseconds shortest{20};
 };
 
 /// Times by rung. `on_rung` hears the share that is done, 0..1.
