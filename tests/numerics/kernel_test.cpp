@@ -150,6 +150,18 @@ TEST_CASE("intervals hold the truth, and decide nearly all pixels") {
   }
 }
 
+TEST_CASE("a tangent ray, which no interval decides, is open and not guessed") {
+  // Two of the rays that touch the lecture's red sphere, on a canvas that has them: (2/6, -1/4).
+  SceneText text = read_scene_text(FOS_LECTURE_SCENE);
+  text.canvas_width = 6;
+  text.canvas_height = 4;
+  auto canvas = canvas_for<IntervalNumber>(text);
+  render_intervals(to_intervals(text), canvas);
+  CHECK(canvas.sphere[2 * 6 + 5] == undecided);
+  CHECK(canvas.sphere[2 * 6 + 1] == undecided);
+  CHECK(canvas.sphere[2 * 6 + 3] == 1);
+}
+
 TEST_CASE("SIMD: rows that are no whole number of vectors, down to one pixel") {
   SceneText text = scene("many_lights");
   for (const int width : {1, 2, 3, 5, 7, 8, 9, 15, 16, 17, 31, 33}) {

@@ -111,6 +111,7 @@ TEST_CASE("rounds: every rung once a round, each first in turn, tolls taken off"
   const auto times = measure(rungs, 1000, pace, [&](double done) { progress.push_back(done); });
   // Twice each to begin with; then rounds.
   CHECK(order.substr(0, 6) == "aabbcc");
+  CHECK(order.substr(6) == "abcbcacab");
   CHECK(times.size() == 3);
   CHECK(times[0].size() == 3);
   CHECK(progress.size() == 9);
