@@ -86,7 +86,7 @@ Axes axes_of(std::vector<Point>& points) {
 /// 1, 2, 5, 10, 20 … along the time.
 std::string ticks(const Axes& axes) {
   std::string out;
-  for (double power = std::floor(axes.min_x); power <= axes.max_x; ++power) {
+  for (int power = static_cast<int>(std::floor(axes.min_x)); power <= axes.max_x; ++power) {
     for (const double step : {1, 2, 5}) {
       const double x = step * std::pow(10, power);
       if (std::log10(x) < axes.min_x || std::log10(x) > axes.max_x) continue;
@@ -107,6 +107,7 @@ std::string data(const char* name, const std::vector<Point>& points,
 
 std::string labels(const std::vector<Point>& points, const Axes& axes) {
   std::vector<LabelledPoint> labelled;
+  labelled.reserve(points.size());
   for (const Point& point : points) {
     labelled.push_back({axes.to_pixel_x(point.x), axes.to_pixel_y(point.y),
                         letter_width * static_cast<double>(letters(point.row->name)),

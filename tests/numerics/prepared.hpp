@@ -36,7 +36,7 @@ struct PreparedScene {
 /// Each number the T nearest to its exact value. Throws std::range_error for numbers beyond
 /// 10^±10000.
 template <class T>
-PreparedScene<T> prepare(const SceneText& scene);
+PreparedScene<T> prepare(const SceneText& text);
 
 /// The sphere's t >= 1 that is nearest, or infinity.
 ///

@@ -24,7 +24,7 @@ struct Rung {
 
 /// All rungs of ours, cheapest to most exact, with their scene rounded and prepared. Throws
 /// std::range_error for numbers beyond 10^±10000.
-std::vector<Rung> ladder(const SceneText& scene);
+std::vector<Rung> ladder(const SceneText& text);
 
 /// The rung that all times are compared with.
 inline constexpr const char* baseline_id = "double";
