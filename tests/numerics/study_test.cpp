@@ -228,8 +228,8 @@ TEST_CASE("the plot's script") {
 }
 
 TEST_CASE("labels of crowded points do not overlap") {
-  std::vector<LabelledPoint> points;
-  for (int i = 0; i < 4; ++i) points.push_back({500.0 + 10 * i, 300, 120, i % 2 == 0});
+  const std::vector<LabelledPoint> points{
+      {500, 300, 120, true}, {510, 300, 120, false}, {520, 300, 120, true}, {530, 300, 120, false}};
   const auto places = place_labels(points, 30, 1200, 700);
   struct Box {
     double left, right, middle;
