@@ -25,11 +25,10 @@ bool Measure::is_boundary(std::size_t pixel, int sphere) const {
   const mpq_class x = exact_.canvas_x(static_cast<int>(pixel % width));
   const mpq_class y = exact_.canvas_y(static_cast<int>(pixel / width));
   const mpq_class step(1, 1000);
-  for (const int side : {-1, 1}) {
-    if (sphere_along(exact_, x + side * step, y) == sphere) return true;
-    if (sphere_along(exact_, x, y + side * step) == sphere) return true;
-  }
-  return false;
+  const auto shows = [&](const mpq_class& dx, const mpq_class& dy) {
+    return sphere_along(exact_, x + dx, y + dy) == sphere;
+  };
+  return shows(-step, 0) || shows(step, 0) || shows(0, -step) || shows(0, step);
 }
 
 Errors Measure::operator()(const std::vector<Said>& said) const {

@@ -24,6 +24,7 @@ Family camera_and_sphere();
 Family canvas_limits();
 // extremes_shadows.cpp
 Family shadows();
+// extremes_far.cpp
 Family falloff();
 Family lost_P();
 // extremes_sums.cpp

@@ -100,8 +100,9 @@ TEST_CASE("the solution passes on valid scenes at the extremes, at every precisi
         INFO(describe(judge, frame, verdict, "scene"));
         CHECK(verdict.passes());
         CHECK(verdict.only_float.pixels == 0);
-        all += scene.canvas_width * scene.canvas_height;
-        judged += scene.canvas_width * scene.canvas_height - verdict.not_judged.pixels;
+        const auto pixels = static_cast<long>(frame.unwritten.size());
+        all += pixels;
+        judged += pixels - verdict.not_judged.pixels;
       }
     }
     INFO(judged << " of " << all << " pixels judged");

@@ -1,19 +1,17 @@
 // The limits that scene_file.hpp lists, each from both sides: a scene just inside is taken and goes
 // through the slides' formulas; one just outside is refused; and not far outside, without the
 // refusal, the formulas really break.
-#include <fmt/core.h>
-
-#include <algorithm>
 #include <cmath>
 #include <functional>
-#include <random>
 
 #include "catch2.hpp"
 #include "common/slides.hpp"
 #include "fos/stage.hpp"
+#include "scene_of_any_size.hpp"
 #include "slides.hpp"
 
 using namespace fos;
+using namespace fos::numerics;
 
 // canvas_to_viewport brings the render loop with it, which wants a stage.
 Color fos::trace_ray(const Vec3& /*O*/, const Vec3& /*D*/, Real /*t_min*/, Real /*t_max*/,
@@ -23,7 +21,6 @@ Color fos::trace_ray(const Vec3& /*O*/, const Vec3& /*D*/, Real /*t_min*/, Real 
 
 namespace {
 
-using Wide = long double;
 using Limits = std::numeric_limits<Real>;
 
 const Wide max = Limits::max();
@@ -46,8 +43,6 @@ struct Limit {
   std::string says;  ///< in the refusal
 };
 
-std::string decimal(Wide number) { return fmt::format("{:.22e}", number); }
-
 std::string sphere(Wide z, Wide r, Wide x = 0) {
   return fmt::format("sphere {{ center = ({}, 0, {}) radius = {} color = (255, 0, 0) }}\n",
                      decimal(x), decimal(z), decimal(r));
@@ -58,11 +53,6 @@ std::string point(Wide I, Wide x, Wide z) {
   return fmt::format("light {{ type = point intensity = {} position = ({}, 0, {}) }}\n", decimal(I),
                      decimal(x), decimal(z));
 }
-std::string view(Wide d, Wide size) {
-  return fmt::format("projection_plane_d = {}\nviewport_size = {} x {}\n", decimal(d),
-                     decimal(size), decimal(size));
-}
-
 SceneText text_of(const Limit& limit, Wide value) {
   // Column 2, row 1 looks straight ahead.
   return parse_scene_text("canvas_size = 4 x 4\n" + limit.scene(value), "f");
@@ -96,16 +86,6 @@ bool breaks(const SceneText& text, bool half_ahead) {
   const numerics::SceneOf<Real> raw = numerics::rounded<Real>(text);
   const auto seen = numerics::trace_ray(numerics::canvas_to_viewport(raw, 2, 1), raw);
   return seen.sphere != 1 || std::abs(seen.I - Real(0.5)) > Real(0.01);
-}
-
-std::string refusal(const SceneText& text) {
-  setenv("FOS_LANG", "en", 1);
-  try {
-    to_scene(text);
-    return "";
-  } catch (const SceneError& error) {
-    return error.what();
-  }
 }
 
 const Limit limits[] = {
@@ -169,64 +149,4 @@ TEST_CASE("just inside a limit the slides' formulas hold, beyond it is refused w
     const bool half_ahead = !breaks(text_of(limit, inside), true);
     CHECK(breaks(text_of(limit, limit.limit * limit.breaks_at), half_ahead));
   }
-}
-
-namespace {
-
-/// Scenes whose numbers are anywhere that Real reaches, but near enough to each other that many of
-/// them are taken.
-class AnyScene {
- public:
-  std::string operator()() {
-    const double unit = uniform(-range, range);
-    const double view_size = unit + uniform(-40, 40);
-    std::string scene = view(size(view_size, 20), size(view_size, 20));
-    if (chance()) scene += "camera_position = " + triple(unit) + "\n";
-    for (int i = 0; i < 2; ++i) {
-      scene += "sphere { color = (9, 9, 9) center = " + triple(unit) +
-               " radius = " + decimal(size(unit, 12)) + " }\n";
-    }
-    scene += "light { type = point intensity = " + decimal(size(uniform(-range, range), 1)) +
-             " position = " + triple(unit) + " }\n";
-    scene += "light { type = directional intensity = 1 direction = " +
-             triple(uniform(-2 * range, 2 * range)) + " }\n";
-    return scene;
-  }
-
- private:
-  static constexpr double range = std::numeric_limits<Real>::max_exponent / 2.0;
-  double uniform(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random_);
-  }
-  bool chance() { return uniform(0, 1) < 0.5; }
-  Wide size(double exponent, double spread) {
-    const double any = exponent + uniform(-spread, spread);
-    return std::exp2(static_cast<Wide>(std::clamp(any, -16000.0, 16000.0)));
-  }
-  std::string triple(double exponent) {
-    std::string all;
-    for (int i = 0; i < 3; ++i) {
-      const Wide number = size(exponent, chance() ? 8 : 60) * (chance() ? 1 : -1);
-      // The last is never 0: a direction must not be.
-      all += (i > 0 ? ", " : "") + (i < 2 && chance() ? "0" : decimal(number));
-    }
-    return "(" + all + ")";
-  }
-  std::mt19937 random_{3};
-};
-
-}  // namespace
-
-TEST_CASE("whatever scene is taken stays finite") {
-  AnyScene any;
-  int taken = 0;
-  for (int i = 0; i < 20000; ++i) {
-    const SceneText text = parse_scene_text("canvas_size = 3 x 3\n" + any(), "f");
-    if (!refusal(text).empty()) continue;
-    ++taken;
-    if (slides_stay_finite(to_scene(text))) continue;
-    FAIL_CHECK(text.source);
-  }
-  INFO(taken);
-  CHECK(taken > 1000);
 }

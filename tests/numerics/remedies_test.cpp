@@ -4,9 +4,11 @@
 
 #include "catch2.hpp"
 #include "fos/scene_file.hpp"
+#include "scene_of_any_size.hpp"
 #include "slides.hpp"
 
 using namespace fos;
+using numerics::refusal;
 
 namespace {
 
@@ -31,16 +33,6 @@ Real as_read(const SceneText& text) {
     raw.directional_lights.push_back({light.intensity, light.direction});
   }
   return numerics::trace_ray(numerics::canvas_to_viewport(raw, 1, 0), raw).I;
-}
-
-std::string refusal(const SceneText& text) {
-  setenv("FOS_LANG", "en", 1);
-  try {
-    to_scene(text);
-    return "";
-  } catch (const SceneError& error) {
-    return error.what();
-  }
 }
 
 std::string power(double share) {
