@@ -1,6 +1,8 @@
 #include "exact_hit.hpp"
 
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include "exact_sign.hpp"
 
@@ -42,9 +44,16 @@ Triple<mpq_class> exact_direction(const ExactScene& scene, int column, int row) 
 }
 
 std::optional<ExactHit> exact_hit(const ExactScene& scene, const Triple<mpq_class>& D) {
+  std::vector<int> all(scene.spheres.size());
+  std::iota(all.begin(), all.end(), 0);
+  return exact_hit(scene, D, all);
+}
+
+std::optional<ExactHit> exact_hit(const ExactScene& scene, const Triple<mpq_class>& D,
+                                  std::span<const int> spheres) {
   const mpq_class a = squared_length(D);
   std::optional<ExactHit> nearest;
-  for (int i = 0; i < static_cast<int>(scene.spheres.size()); ++i) {
+  for (const int i : spheres) {
     std::optional<ExactRoot> root =
         exact_root(scene, scene.spheres[static_cast<std::size_t>(i)], D, a);
     if (root && (!nearest || compare(*root, nearest->root) < 0)) {

@@ -4,6 +4,7 @@
 #include <gmpxx.h>
 
 #include <optional>
+#include <span>
 
 #include "exact_scene.hpp"
 
@@ -29,6 +30,10 @@ Triple<mpq_class> exact_direction(const ExactScene& scene, int column, int row);
 /// The sphere with the smallest t >= 1 along the ray O + t D from the camera; of two with the same
 /// t the first in the scene. A ray with discriminant 0 hits.
 std::optional<ExactHit> exact_hit(const ExactScene& scene, const Triple<mpq_class>& D);
+
+/// The same, where only some of the spheres can be it: their numbers, rising.
+std::optional<ExactHit> exact_hit(const ExactScene& scene, const Triple<mpq_class>& D,
+                                  std::span<const int> spheres);
 
 /// Whether the root is exactly t.
 bool is_at(const ExactRoot& root, const mpq_class& t);
