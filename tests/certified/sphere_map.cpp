@@ -6,19 +6,20 @@
 namespace fos::certified {
 namespace {
 
-/// Half of a block's tiles.
-int middle(int first, int end, int tile_size) {
-  const int tiles = (end - first + tile_size - 1) / tile_size;
-  return first + (tiles + 1) / 2 * tile_size;
+/// That cover so many pixels of a row or a column.
+int tiles(int pixels) { return (pixels + SphereMap::tile_size - 1) / SphereMap::tile_size; }
+
+/// Where half of a block's tiles end.
+int middle(int first, int end) {
+  return first + (tiles(end - first) + 1) / 2 * SphereMap::tile_size;
 }
 
 }  // namespace
 
 template <class Real>
 SphereMap::SphereMap(const HardwareScene<Real>& scene, int width, int height)
-    : tiles_across_((width + tile_size - 1) / tile_size) {
-  const int tiles_down = (height + tile_size - 1) / tile_size;
-  tiles_.resize(static_cast<std::size_t>(tiles_across_) * static_cast<std::size_t>(tiles_down));
+    : tiles_across_(static_cast<std::size_t>(tiles(width))),
+      tiles_(tiles_across_ * static_cast<std::size_t>(tiles(height))) {
   std::vector<int> all(scene.spheres().size());
   std::iota(all.begin(), all.end(), 0);
   const RoundUp upward;
@@ -35,11 +36,10 @@ void SphereMap::fill(const HardwareScene<Real>& scene, const Block& block,
   std::vector<int> left = mattering(scene, block, some);
   if (!RoundUp::is_in_range()) left.assign(some.begin(), some.end());
 
-  const int column = middle(block.first_column, block.end_column, tile_size);
-  const int row = middle(block.first_row, block.end_row, tile_size);
+  const int column = middle(block.first_column, block.end_column);
+  const int row = middle(block.first_row, block.end_row);
   if (column >= block.end_column && row >= block.end_row) {  // one tile
-    tiles_[static_cast<std::size_t>(block.first_row / tile_size * tiles_across_ +
-                                    block.first_column / tile_size)] = {
+    tiles_[index(block.first_column, block.first_row)] = {
         static_cast<std::uint32_t>(spheres_.size()), static_cast<std::uint32_t>(left.size())};
     spheres_.insert(spheres_.end(), left.begin(), left.end());
     return;

@@ -68,7 +68,7 @@ class WideScene {
 
   static Sphere wide_sphere(const reference::ExactScene& scene,
                             const reference::ExactSphere& exact);
-  void light_terms(int column, int row, int sphere, int sign, std::vector<Wide>& terms) const;
+  void light_terms(int column, int row, int number, int sign, std::vector<Wide>& terms) const;
   std::optional<std::int64_t> certain_multiple(const Wide& x) const;
   Double with_stored(const Wide& sum, std::int64_t multiple) const;
   bool are_bytes_certain(const Sphere& sphere, const Sums<Double>& sums) const;
