@@ -32,6 +32,7 @@ std::vector<Row> certify_rows(const ExactScene& scene, const PixelSource& truth)
     for (int row = first; row < scene.height; row += thread_count) {
       const auto i = static_cast<std::size_t>(row);
       try {
+        rows[i].reserve(static_cast<std::size_t>(scene.width));
         for (int column = 0; column < scene.width; ++column) {
           rows[i].push_back(truth(column, row));
         }
