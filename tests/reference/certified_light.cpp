@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "interval.hpp"
+#include "light_term.hpp"
 #include "rational_term.hpp"
 
 namespace fos::reference {
@@ -12,13 +13,11 @@ std::optional<std::vector<Enclosure>> certified_terms(const ExactScene& scene,
                                                       const Triple<mpq_class>& D,
                                                       const ExactHit& hit, mpfr_prec_t bits) {
   const ExactSphere& sphere = scene.spheres[static_cast<std::size_t>(hit.sphere)];
-  const Interval root = sqrt(Interval(bits, hit.root.discriminant));
-  const Interval minus_b(bits, mpq_class(-hit.root.b));
-  const Interval t = (hit.root.sign < 0 ? minus_b - root : minus_b + root) /
-                     Interval(bits, mpq_class(2 * hit.root.a));
-  const Triple<Interval> P = to_intervals(bits, scene.camera) + t * to_intervals(bits, D);
-  const Triple<Interval> N = P - to_intervals(bits, sphere.center);
-  const Interval N_length(bits, sphere.radius);  // P is on the sphere
+  const HitPoint<Interval> point = hit_point(
+      to_intervals(bits, scene.camera), to_intervals(bits, D), to_intervals(bits, sphere.center),
+      Interval(bits, mpq_class(-hit.root.b)), Interval(bits, hit.root.discriminant), hit.root.sign,
+      Interval(bits, mpq_class(2 * hit.root.a)));
+  const Interval r(bits, sphere.radius);
 
   std::vector<Enclosure> terms;
   terms.reserve(scene.lights.size());
@@ -27,9 +26,8 @@ std::optional<std::vector<Enclosure>> certified_terms(const ExactScene& scene,
       terms.push_back({*rational, *rational});
       continue;
     }
-    const Triple<Interval> vector = to_intervals(bits, light.vector);
-    const Triple<Interval> L = light.is_point ? vector - P : vector;
-    const Interval term = Interval(bits, light.intensity) * dot(N, L) / (N_length * length(L));
+    const Interval term = light_term(point, r, Interval(bits, light.intensity), light.is_point,
+                                     to_intervals(bits, light.vector));
     if (!term.is_bounded()) return std::nullopt;
     terms.push_back({term.exact_low(), term.exact_high()});
   }

@@ -31,7 +31,7 @@ Triple<mpq_class> exact_direction(const ExactScene& scene, int column, int row);
 /// t the first in the scene. A ray with discriminant 0 hits.
 std::optional<ExactHit> exact_hit(const ExactScene& scene, const Triple<mpq_class>& D);
 
-/// The same among some of the spheres, by their numbers in the scene from 0, rising.
+/// The same, where only some of the spheres can be it: their numbers, rising.
 std::optional<ExactHit> exact_hit(const ExactScene& scene, const Triple<mpq_class>& D,
                                   std::span<const int> spheres);
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <exception>
+#include <memory>
 #include <stdexcept>
 #include <thread>
 #include <utility>
 #include <vector>
 
-#include "oracle.hpp"
 #include "stored_terms.hpp"
 
 namespace fos::reference {
@@ -25,16 +25,16 @@ constexpr int max_step = 500;
 
 using Row = std::vector<PixelTruth>;
 
-std::vector<Row> certify_rows(const ExactScene& scene, int step) {
-  const Oracle oracle(scene, step);
+std::vector<Row> certify_rows(const ExactScene& scene, const PixelSource& truth) {
   std::vector<Row> rows(static_cast<std::size_t>(scene.height));
   std::vector<std::exception_ptr> failures(rows.size());
   const auto certify_every_other = [&](int first) {
     for (int row = first; row < scene.height; row += thread_count) {
       const auto i = static_cast<std::size_t>(row);
       try {
+        rows[i].reserve(static_cast<std::size_t>(scene.width));
         for (int column = 0; column < scene.width; ++column) {
-          rows[i].push_back(oracle.truth(column, row));
+          rows[i].push_back(truth(column, row));
         }
       } catch (...) {
         failures[i] = std::current_exception();
@@ -86,6 +86,14 @@ int coarsest_step(const ExactScene& scene) {
 }
 
 Reference generate(const SceneText& text) {
+  return generate(text, [](const ExactScene& scene, int step) {
+    return [oracle = std::make_shared<const Oracle>(scene, step)](int column, int row) {
+      return oracle->truth(column, row);
+    };
+  });
+}
+
+Reference generate(const SceneText& text, const MakePixelSource& make_source) {
   if (text.canvas_width > max_pixels / text.canvas_height) {
     throw std::range_error("the canvas has more pixels than a reference may have");
   }
@@ -93,11 +101,11 @@ Reference generate(const SceneText& text) {
   int step = coarsest_step(scene);
   for (int i = 0; i < refinements; ++i, step -= step_refinement) {
     try {
-      return assemble(text, step, certify_rows(scene, step));
+      return assemble(text, step, certify_rows(scene, make_source(scene, step)));
     } catch (const StepError&) {
     }
   }
-  return assemble(text, step, certify_rows(scene, step));
+  return assemble(text, step, certify_rows(scene, make_source(scene, step)));
 }
 
 }  // namespace fos::reference

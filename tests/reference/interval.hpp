@@ -24,6 +24,10 @@ class Interval {
     mpfi_init2(value_, bits);
     mpfi_set_q(value_, exact.get_mpq_t());
   }
+  Interval(mpfr_prec_t bits, int exact) {
+    mpfi_init2(value_, bits);
+    mpfi_set_si(value_, exact);
+  }
   Interval(const Interval& other) {
     mpfi_init2(value_, other.bits());
     mpfi_set(value_, other.value_);
@@ -44,7 +48,15 @@ class Interval {
   /// The signs of the ends: -1, 0 or 1. Only for bounded intervals.
   int low_sign() const { return mpfr_sgn(low()); }
   int high_sign() const { return mpfr_sgn(high()); }
+  bool is_zero() const { return low_sign() == 0 && high_sign() == 0; }
   bool holds_zero() const { return low_sign() <= 0 && high_sign() >= 0; }
+  /// Whether all of it is below a number, or none of it.
+  bool is_below(unsigned x) const { return mpfr_cmp_ui(high(), x) < 0; }
+  bool is_at_least(unsigned x) const { return mpfr_cmp_ui(low(), x) >= 0; }
+  /// The sign of a's high end less b's low end: where it is negative, all of a is below b.
+  friend int compare_ends(const Interval& a, const Interval& b) {
+    return mpfr_cmp(a.high(), b.low());
+  }
 
   /// The ends as exact numbers. Only for bounded intervals.
   mpq_class exact_low() const { return exact(low()); }

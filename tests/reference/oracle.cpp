@@ -175,15 +175,22 @@ Oracle::Oracle(const ExactScene& scene, int step)
 }
 
 PixelTruth Oracle::truth(int column, int row) const {
-  const Triple<mpq_class> D = exact_direction(scene_, column, row);
-  const std::optional<ExactHit> hit = exact_hit(scene_, D);
-  Certified certified;
-  if (hit) certified = certify(scene_, D, *hit, step_, name_of(column, row));
+  return truth(
+      column, row, exact_hit(scene_, exact_direction(scene_, column, row)),
+      {possible(Precision::float24, column, row), possible(Precision::double53, column, row)});
+}
 
+PixelTruth Oracle::truth(int column, int row, const std::optional<ExactHit>& hit,
+                         const std::array<Possible, precisions.size()>& possible) const {
+  Certified certified;
+  if (hit) {
+    certified =
+        certify(scene_, exact_direction(scene_, column, row), *hit, step_, name_of(column, row));
+  }
   PixelTruth truth{certified.pixel, {}};
   for (std::size_t i = 0; i < rounded_.size(); ++i) {
-    std::optional<Rounded> answers = rounded(
-        scene_, hit, certified.terms, rounded_[i].possible(column, row), rounded_[i].bits(), step_);
+    std::optional<Rounded> answers =
+        rounded(scene_, hit, certified.terms, possible[i], rounded_[i].bits(), step_);
     if (answers) truth.pixel.widths[i] = answers->widths;
     if (!answers || !answers->alternatives.empty()) {
       truth.ambiguous[i] = AmbiguousPixel{row * scene_.width + column, answers.has_value(), {}};

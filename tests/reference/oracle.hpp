@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <stdexcept>
 
+#include "exact_hit.hpp"
 #include "exact_scene.hpp"
 #include "reference_file.hpp"
 #include "rounded_scene.hpp"
@@ -39,6 +41,15 @@ class Oracle {
   /// which the stored terms give too. Throws UndecidedError and
   /// StepError.
   PixelTruth truth(int column, int row) const;
+
+  /// The same for who knows already what the ray hits, and what each precision may see.
+  PixelTruth truth(int column, int row, const std::optional<ExactHit>& hit,
+                   const std::array<Possible, precisions.size()>& possible) const;
+
+  /// What a precision may see at a pixel.
+  Possible possible(Precision precision, int column, int row) const {
+    return rounded_[static_cast<std::size_t>(precision)].possible(column, row);
+  }
 
  private:
   const ExactScene& scene_;

@@ -38,10 +38,15 @@ Number squared_length(const Triple<Number>& a) {
   return square(a[0]) + square(a[1]) + square(a[2]);
 }
 
-inline Interval length(const Triple<Interval>& a) { return sqrt(squared_length(a)); }
+/// Of intervals.
+template <class Number>
+Number length(const Triple<Number>& a) {
+  return sqrt(squared_length(a));
+}
 
-inline Triple<Interval> to_intervals(mpfr_prec_t bits, const Triple<mpq_class>& a) {
-  return {Interval(bits, a[0]), Interval(bits, a[1]), Interval(bits, a[2])};
+template <class Number = Interval>
+Triple<Number> to_intervals(mpfr_prec_t bits, const Triple<mpq_class>& a) {
+  return {Number(bits, a[0]), Number(bits, a[1]), Number(bits, a[2])};
 }
 
 }  // namespace fos::reference
