@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <fstream>
 #include <system_error>
 
 #include "fos/text.hpp"
@@ -80,6 +81,15 @@ void WholeFile::commit() {
 
 FileError WholeFile::write_error(const std::string& reason) const {
   return FileError(3, say(text::tool_cannot_write, {destination_.string(), reason}));
+}
+
+void write_whole_file(const std::filesystem::path& path, const std::string& words) {
+  WholeFile file(path);
+  std::ofstream out(file.temporary(), std::ios::binary);
+  out << words;
+  out.close();
+  if (!out) throw file.write_error(in_words(errno));
+  file.commit();
 }
 
 }  // namespace fos

@@ -28,6 +28,17 @@ check "paths with spaces" asked --scene 'my files/a & b.scene' --csv 'my files/t
 lab --lang el trade
 check "the program hears of the language" test "$(<"$STATE/language")" == el
 
+# The other studies, each a program of its own.
+lab trade --plan --scene 'my files/a & b.scene'
+check "the plan" built fos_plan
+check "the plan" asked --scene 'my files/a & b.scene'
+lab trade --growth --csv x.csv
+check "the growth" built fos_growth
+check "the growth" asked --csv x.csv
+lab trade --extremes sun floor --csv=x.csv
+check "the extremes" built fos_extremes
+check "the extremes" asked --csv x.csv sun floor
+
 # A build without the tests is configured anew, one with them is not.
 lab render point
 : >"$STATE/calls"

@@ -93,12 +93,19 @@ wrong "'x.jpg'" trade --plot x.jpg
 wrong "'.svg'" trade --plot=.svg
 wrong "'folder.png'" trade --plot folder.png
 wrong "'no/such/'" trade --plot no/such/x.png
+wrong "did you mean '--growth'" trade --grwth
+wrong "two studies" trade --plan --growth
+wrong "'--csv' says nothing to 'trade --plan'" trade --plan --csv x.csv
+wrong "'point' says nothing" trade point --plan
+wrong "'--scene' says nothing to 'trade --growth'" trade --growth --scene "$TREE/labs/scenes/lecture.scene"
+wrong "'--plot' says nothing" trade --extremes --plot x.png
 wrong "'everything'" test everything
 wrong "'all all'" test all all
 wrong "'fr'" render --lang fr
 wrong "'--lang'" render --lang
 rm -r "$TREE/solutions"
 wrong "no solutions" render --solution
+wrong "no solutions" trade --extremes
 make_tree
 
 # Languages: the option, wherever it stands, before FOS_LANG, LC_ALL, LC_MESSAGES and LANG.

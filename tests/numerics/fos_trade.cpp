@@ -3,7 +3,6 @@
 #include <getopt.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iostream>
 
 #include "fit.hpp"
@@ -87,15 +86,6 @@ void check_outputs(const Options& options) {
   for (const std::filesystem::path& path : {options.csv, options.plot}) {
     if (!path.empty()) const WholeFile trial(path);
   }
-}
-
-void write_file(const std::filesystem::path& path, const std::string& words) {
-  WholeFile file(path);
-  std::ofstream out(file.temporary(), std::ios::binary);
-  out << words;
-  out.close();
-  if (!out) throw file.write_error(std::generic_category().message(errno));
-  file.commit();
 }
 
 /// All that is measured on one canvas. `read` is the scene as its file has it, but for the canvas.
@@ -194,8 +184,8 @@ int trade(int argc, char** argv) {
   for (const std::string& warning : scene_warnings(scene)) std::cerr << warning << '\n';
   const Study study = run_study(options, scene);
   std::cout << table_of(study) << std::flush;
-  if (!options.csv.empty()) write_file(options.csv, csv_of(study));
-  if (!options.plot.empty()) write_plot(study, options.plot);
+  if (!options.csv.empty()) write_whole_file(options.csv, csv_of(study));
+  if (!options.plot.empty()) draw(plot_script(study, plot_format(options.plot)), options.plot);
   return 0;
 }
 

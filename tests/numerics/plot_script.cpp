@@ -35,19 +35,20 @@ struct Point {
   double y;  // error, > 0
 };
 
-/// In single quotes, where gnuplot takes every letter for itself.
-std::string quoted(const std::string& words) {
-  std::string out = "'";
-  for (const char c : words) {
-    if (c == '\'') out += '\'';
-    out += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-  }
-  return out + "'";
-}
-
 std::size_t letters(const std::string& utf8) {
   return static_cast<std::size_t>(std::count_if(
       utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) >> 6) != 2; }));
+}
+
+bool has_right_bytes(const Measured& row) {
+  return row.errors.wrong_bytes + row.errors.open_bytes + row.errors.not_finite == 0;
+}
+
+/// Bytes and no I: they are proven, not measured.
+bool is_proven(const Measured& row) { return !row.errors.I; }
+
+std::string label_of(const Measured& row) {
+  return is_proven(row) ? say(text::trade_plot_certified) : row.name;
 }
 
 /// The points, by the ratios: they are steadier than the times.
@@ -58,8 +59,10 @@ std::vector<Point> points_of(const Study& study) {
   }
   std::vector<Point> points;
   for (const Measured& row : study.rows) {
-    if (!row.errors.I) continue;
-    points.push_back({&row, row.ratio * base, static_cast<double>(row.errors.I->max)});
+    // What gives bytes only has its place where they are all right: on the line of no error.
+    if (!row.errors.I && !has_right_bytes(row)) continue;
+    const long double error = row.errors.I ? row.errors.I->max : 0;
+    points.push_back({&row, row.ratio * base, static_cast<double>(error)});
   }
   return points;
 }
@@ -110,7 +113,7 @@ std::string labels(const std::vector<Point>& points, const Axes& axes) {
   labelled.reserve(points.size());
   for (const Point& point : points) {
     labelled.push_back({axes.to_pixel_x(point.x), axes.to_pixel_y(point.y),
-                        letter_width * static_cast<double>(letters(point.row->name)),
+                        letter_width * static_cast<double>(letters(label_of(*point.row))),
                         point.row->frontier});
   }
   const std::vector<LabelPlace> places =
@@ -120,9 +123,9 @@ std::string labels(const std::vector<Point>& points, const Axes& axes) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     out += fmt::format(
         "set label {} at graph {:.5f},{:.5f} {} front noenhanced textcolor rgb '{}'\n",
-        quoted(points[i].row->name), (labelled[i].x + places[i].dx) / (width - left - right),
+        quoted(label_of(*points[i].row)), (labelled[i].x + places[i].dx) / (width - left - right),
         (labelled[i].y + places[i].dy) / (height - bottom - top), alignment.at(places[i].alignment),
-        points[i].row->frontier ? "#000000" : "#707070");
+        points[i].row->frontier || is_proven(*points[i].row) ? "#000000" : "#707070");
   }
   return out;
 }
@@ -164,8 +167,11 @@ std::string plot_script(const Study& study, PlotFormat format) {
   }
   out += labels(points, axes);
   out += data("frontier", points, [](const Measured& row) { return row.frontier; });
-  out +=
-      data("others", points, [&](const Measured& row) { return !row.frontier && !is_yours(row); });
+  const auto is_other = [&](const Measured& row) {
+    return !row.frontier && !is_yours(row) && !is_proven(row);
+  };
+  out += data("others", points, is_other);
+  out += data("proven", points, is_proven);
   out += data("yours", points, is_yours);
   out += fmt::format("plot $frontier with lines linewidth 4 linecolor rgb '#9ecae1' title {}",
                      quoted(say(text::trade_plot_frontier)));
@@ -174,12 +180,15 @@ std::string plot_script(const Study& study, PlotFormat format) {
     return std::any_of(points.begin(), points.end(),
                        [&](const Point& point) { return wanted(*point.row); });
   };
-  if (has([&](const Measured& row) { return !row.frontier && !is_yours(row); })) {
+  if (has(is_other)) {
     out += ", $others with points pointtype 7 pointsize 2.2 linecolor rgb '#a0a0a0' notitle";
   }
   out += ", $frontier with points pointtype 7 pointsize 2.6 linecolor rgb '#08519c' notitle";
   if (has(is_yours)) {
     out += ", $yours with points pointtype 5 pointsize 2.6 linecolor rgb '#d95f0e' notitle";
+  }
+  if (has(is_proven)) {
+    out += ", $proven with points pointtype 13 pointsize 3.2 linecolor rgb '#238b45' notitle";
   }
   return out + "\n";
 }

@@ -40,4 +40,7 @@ class WholeFile {
   std::filesystem::path temporary_;
 };
 
+/// A file of these words, whole or not at all. Throws FileError.
+void write_whole_file(const std::filesystem::path& path, const std::string& words);
+
 }  // namespace fos

@@ -1,4 +1,4 @@
-#include "plot.hpp"
+#include "gnuplot.hpp"
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -59,10 +59,19 @@ PlotFormat plot_format(const std::filesystem::path& path) {
   throw std::invalid_argument(say(text::trade_bad_plot, {path.string()}));
 }
 
-void write_plot(const Study& study, const std::filesystem::path& path) {
+std::string quoted(const std::string& words) {
+  std::string out = "'";
+  for (const char c : words) {
+    if (c == '\'') out += '\'';
+    out += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+  }
+  return out + "'";
+}
+
+void draw(const std::string& script, const std::filesystem::path& path) {
   WholeFile file(path);
-  const auto script = nameless_file(plot_script(study, plot_format(path)));
-  const int status = run_gnuplot(fileno(script.get()), file.temporary());
+  const auto input = nameless_file(script);
+  const int status = run_gnuplot(fileno(input.get()), file.temporary());
   if (status != 0 || std::filesystem::file_size(file.temporary()) == 0) {
     throw PlotError(say(text::trade_gnuplot_failed, {std::to_string(status)}));
   }
