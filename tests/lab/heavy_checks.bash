@@ -10,10 +10,10 @@ heavy_checks() {
   step tests ctest own_tests
   step format clang-format check_format
   step shell shellcheck check_shell
-  step gcc g++ build_tree dev --preset dev -DCMAKE_CXX_COMPILER=g++
   step clang clang++ test_tree clang -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DFOS_WERROR=ON
   step tidy clang-tidy check_tidy
-  step sanitize g++ sanitize_tree
+  step sanitize g++ test_tree sanitize --preset sanitize
+  step random ctest random_scenes
   step fuzz clang++ fuzz_scene
   ((NOT_RUN)) && say lab_steps_not_run "$NOT_RUN"
   say lab_steps_sum "$PASSED" "$FAILED"
@@ -48,13 +48,11 @@ check_shell() {
 
 # build_tree NAME ARGUMENT…: everything, in build/NAME, as CMake is told by the arguments.
 build_tree() { cmake -S "$ROOT" -B "$ROOT/build/$1" "${@:2}" && build "$ROOT/build/$1" all; }
-test_tree() { build_tree "$@" && run_ctest "$ROOT/build/$1"; }
+# Its tests, without those of bash, and the proofs, which start a thousand programs.
+test_tree() { build_tree "$@" && run_ctest "$ROOT/build/$1" -E '^(command|proof)_'; }
 
-# Without the tests of bash, and the proofs, which start a thousand programs.
-sanitize_tree() {
-  build_tree sanitize --preset sanitize &&
-    run_ctest "$ROOT/build/sanitize" -E '^(command|proof)_'
-}
+# Random scenes by the hundred against the exact tracer, and the proof that they find planted bugs.
+random_scenes() { build "$BUILD" all && run_ctest "$BUILD" -C Heavy -R '_(soak|proof)$'; }
 
 # Each file once, as its first target compiles it: most are compiled at three precisions.
 check_tidy() {
