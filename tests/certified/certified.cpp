@@ -12,32 +12,31 @@ namespace {
 constexpr int band = 8;
 
 /// For each band of rows the spheres that it may show, the nearest first.
-std::vector<std::vector<const CameraSphere*>> bands(const CameraScene& scene, const Plan& plan) {
-  std::vector<std::vector<const CameraSphere*>> lists(
-      static_cast<std::size_t>((scene.height + band - 1) / band));
+std::vector<std::vector<int>> bands(const CameraScene& scene, const Plan& plan) {
+  std::vector<std::vector<int>> lists(static_cast<std::size_t>((scene.height + band - 1) / band));
   for (const int i : plan.spheres) {
     const CameraSphere& sphere = scene.spheres[static_cast<std::size_t>(i)];
     const int first = plan.within_outlines ? sphere.first_row / band : 0;
     const int end =
         plan.within_outlines ? (sphere.end_row + band - 1) / band : static_cast<int>(lists.size());
-    for (int k = first; k < end; ++k) lists[static_cast<std::size_t>(k)].push_back(&sphere);
+    for (int k = first; k < end; ++k) lists[static_cast<std::size_t>(k)].push_back(i);
   }
   return lists;
 }
 
 }  // namespace
 
-Renderer::Renderer(const SceneText& scene, reference::Terms terms)
+Renderer::Renderer(const SceneText& scene, reference::Terms terms, std::optional<Plan> plan)
     : exact_(reference::to_exact(scene)),
       terms_(terms),
       scene_(camera_scene(exact_, terms)),
-      plan_(certified::plan(scene_)) {}
-
-Renderer::Renderer(const SceneText& scene, reference::Terms terms, Plan plan)
-    : exact_(reference::to_exact(scene)),
-      terms_(terms),
-      scene_(camera_scene(exact_, terms)),
-      plan_(std::move(plan)) {}
+      plan_(plan ? *std::move(plan) : certified::plan(scene_)),
+      lights_(float_lights(scene_, plan_.replaced)),
+      bands_(bands(scene_, plan_)) {
+  for (int column = 0; column < scene_.width; ++column) {
+    background_.insert(background_.end(), scene_.background.begin(), scene_.background.end());
+  }
+}
 
 Effort Renderer::render(Picture& picture, Claims* claims) const {
   picture.width = scene_.width;
@@ -45,15 +44,14 @@ Effort Renderer::render(Picture& picture, Claims* claims) const {
   const auto row_bytes = static_cast<std::size_t>(scene_.width) * 3;
   picture.rgb.resize(row_bytes * static_cast<std::size_t>(scene_.height) + row_padding);
 
-  FloatLights lights = float_lights(scene_, plan_.replaced);
-  const bool in_float = plan_.in_float && lights.suit;
+  const bool in_float = plan_.in_float && lights_.suit;
   RowTask task{scene_.width,
                static_cast<float>(scene_.kx),
                0,
                static_cast<float>(scene_.d),
                scene_.background,
                plan_.shade,
-               &lights,
+               &lights_,
                {},
                nullptr};
   RowClaims row_claims{};
@@ -63,22 +61,19 @@ Effort Renderer::render(Picture& picture, Claims* claims) const {
     claims->error.resize(room);
     task.claims = &row_claims;
   }
-  std::vector<std::uint8_t> background(row_bytes);
-  for (std::size_t i = 0; i < row_bytes; ++i) background[i] = scene_.background[i % 3];
-
-  const auto lists = bands(scene_, plan_);
   std::vector<RowSphere> spheres;
   std::vector<Undecided> undecided;
-  DoublePixel in_double(scene_);
+  Rest rest{DoublePixel(scene_), {}};
   Effort effort;
   for (int row = 0; row < scene_.height; ++row) {
     std::uint8_t* const rgb = picture.rgb.data() + row_bytes * static_cast<std::size_t>(row);
-    std::copy(background.begin(), background.end(), rgb);
+    std::copy(background_.begin(), background_.end(), rgb);
     spheres.clear();
-    for (const CameraSphere* sphere : lists[static_cast<std::size_t>(row / band)]) {
-      if (plan_.within_outlines && (row < sphere->first_row || row >= sphere->end_row)) continue;
+    for (const int i : bands_[static_cast<std::size_t>(row / band)]) {
+      const CameraSphere& sphere = scene_.spheres[static_cast<std::size_t>(i)];
+      if (plan_.within_outlines && (row < sphere.first_row || row >= sphere.end_row)) continue;
       RowSphere along;
-      if (!along_row(scene_, *sphere, scene_.y(row), plan_.within_outlines, along)) continue;
+      if (!along_row(scene_, sphere, scene_.y(row), plan_.within_outlines, along)) continue;
       along.in_float &= in_float;
       spheres.push_back(along);
     }
@@ -94,17 +89,16 @@ Effort Renderer::render(Picture& picture, Claims* claims) const {
     undecided.clear();
     float_row(task, rgb, undecided);
     effort.in_float += scene_.width - static_cast<long>(undecided.size());
-    finish_row(row, spheres, undecided, in_double, rgb, effort);
+    finish_row(row, spheres, undecided, rest, rgb, effort);
   }
   picture.rgb.resize(row_bytes * static_cast<std::size_t>(scene_.height));
   return effort;
 }
 
 void Renderer::finish_row(int row, const std::vector<RowSphere>& spheres,
-                          const std::vector<Undecided>& undecided, DoublePixel& in_double,
-                          std::uint8_t* rgb, Effort& effort) const {
-  if (undecided.empty()) return;
-  std::vector<const CameraSphere*> candidates;
+                          const std::vector<Undecided>& undecided, Rest& rest, std::uint8_t* rgb,
+                          Effort& effort) const {
+  auto& [in_double, candidates] = rest;
   for (const auto& [column, known] : undecided) {
     candidates.clear();
     if (known != nullptr) candidates.push_back(known);

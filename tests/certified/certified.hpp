@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "double_pixel.hpp"
@@ -37,10 +38,9 @@ struct Claims {
 
 class Renderer {
  public:
-  /// For a stage whose I sums up `terms`. The plan changes what is computed, never a byte. Throws
-  /// std::range_error for numbers beyond 10^±10000.
-  Renderer(const SceneText& scene, reference::Terms terms);
-  Renderer(const SceneText& scene, reference::Terms terms, Plan plan);
+  /// For a stage whose I sums up `terms`; by the scene's own plan if none is given. A plan changes
+  /// what is computed, never a byte. Throws std::range_error for numbers beyond 10^±10000.
+  Renderer(const SceneText& scene, reference::Terms terms, std::optional<Plan> plan = {});
 
   /// Renders the picture, by one thread. Throws reference::UndecidedError.
   Effort render(Picture& picture, Claims* claims = nullptr) const;
@@ -49,10 +49,16 @@ class Renderer {
   const Plan& plan() const { return plan_; }
 
  private:
+  /// What the pixels that floats leave open need.
+  struct Rest {
+    DoublePixel in_double;
+    std::vector<const CameraSphere*> candidates;
+  };
+
   /// What the floats leave of a row.
   void finish_row(int row, const std::vector<RowSphere>& spheres,
-                  const std::vector<Undecided>& undecided, DoublePixel& in_double,
-                  std::uint8_t* rgb, Effort& effort) const;
+                  const std::vector<Undecided>& undecided, Rest& rest, std::uint8_t* rgb,
+                  Effort& effort) const;
   /// The hit by exact arithmetic, then its light by the cheapest way that decides.
   Bytes exact_bytes(int column, int row, std::span<const CameraSphere* const> candidates,
                     const DoublePixel& in_double) const;
@@ -61,6 +67,9 @@ class Renderer {
   reference::Terms terms_;
   CameraScene scene_;
   Plan plan_;
+  FloatLights lights_;
+  std::vector<std::vector<int>> bands_;   ///< of rows: the spheres that each may show
+  std::vector<std::uint8_t> background_;  ///< a row of it
 };
 
 }  // namespace fos::certified
