@@ -48,6 +48,12 @@ struct Range {
 /// Vu is its centre's coordinate along the axis. Wider than the exact range by more than all
 /// rounding.
 Range extent(double Vu, double Vz, double r, double d, double step) {
+  // Of normal numbers only, products included.
+  const auto is_moderate = [](double size) { return size >= 0x1p-200 && size <= 0x1p200; };
+  if (!is_moderate(Vz) || !is_moderate(r) || !is_moderate(d) || !is_moderate(step) ||
+      !(std::abs(Vu) <= 0x1p200)) {
+    return {};
+  }
   if (Vz - r <= 1e-3 * Vz) return {};  // it reaches the camera's own plane, or nearly
   const double below = (Vz - r) * (Vz + r);
   const double middle = Vu * Vz;
@@ -121,8 +127,11 @@ CameraSphere camera_sphere(const reference::ExactScene& scene, std::size_t index
   sphere.hx = to_double(V[0] * scene.viewport_width / scene.width);
   set_row_form(scene, V, c, exact.radius, sphere);
 
-  const double to_surface = std::abs(sphere.V_length - sphere.r) / longest_D;
-  const double to_its_plane = (sphere.V[2] - sphere.r) / to_double(d);
+  // ||V| − r| = |c| / (|V| + r), of the exact c: a difference of rounded lengths may be all
+  // rounding.
+  double to_surface = std::abs(sphere.c) / (sphere.V_length + sphere.r) / longest_D;
+  if (!std::isfinite(sphere.c) || !std::isfinite(to_surface)) to_surface = 0;
+  const double to_its_plane = to_double((V[2] - exact.radius) / d);
   // Less than all rounding, and in the range of float.
   const double nearest_t = sphere.inside ? to_surface : std::max(to_surface, to_its_plane);
   sphere.nearest_t = std::min(std::max(1.0, nearest_t * (1 - 1e-6)), 1e30);

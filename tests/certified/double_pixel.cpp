@@ -54,7 +54,8 @@ Bounded intensity(const CameraScene& scene, const CameraSphere& sphere, const Bo
     // Where it may be negative, the positive part is within the same bound.
     const Bounded cosine = n_dot_l / sqrt(dot(L, L));
     const Bounded term = Bounded::rounded(light.I) * cosine;
-    I = I + (term.value() < 0 ? Bounded(0, std::max(0.0, term.high())) : term);
+    // (A NaN is neither below 0 nor kept by std::max, and must stay one.)
+    I = I + (term.value() < 0 ? Bounded(0, term.high() <= 0 ? 0.0 : term.high()) : term);
   }
   return I;
 }

@@ -37,6 +37,15 @@ struct Nearest {
 };
 
 /// A sphere's hit in each pixel, as far as floats can tell.
+/// About 1/x for an x >= 0, and large for 0.
+HWY_INLINE V reciprocal(V x) {
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
+  return hn::ApproximateReciprocal(hn::Max(x, set(0x1p-100F)));  // theirs of 0 is 0
+#else
+  return hn::ApproximateReciprocal(x);
+#endif
+}
+
 struct Hit {
   V t;
   V P_error;  ///< eP/t
@@ -61,7 +70,7 @@ HWY_INLINE Hit hit(const RowTask& task, const RowSphere& s, V x) {
     E = hn::MulAdd(set(T_share), hn::Abs(T), E);
     rate = hn::Mul(rate, E);
   }
-  const V P_error = hn::MulAdd(rate, hn::ApproximateReciprocal(root), set(s.P_error));
+  const V P_error = hn::MulAdd(rate, reciprocal(root), set(s.P_error));
   const V error = hn::MulAdd(P_error, set(s.inv_D), set(2 * u));
   Hit result{hn::Div(set(s.c), hn::Add(hn::Abs(h), root)), P_error, error, hn::Gt(disc, E),
              hn::Lt(disc, hn::Neg(E))};
@@ -138,7 +147,7 @@ HWY_INLINE V dot(V ax, V ay, V az, V bx, V by, V bz) {
 
 /// 1/√x, off by at most 6.6u of itself.
 HWY_INLINE V inverse_sqrt(V x) {
-#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
   // The processor's estimate is within 1.5 2^-12 (its manual says); a step of Newton's leaves 3/2
   // of the square of that, 3.4u, and rounds by 3.1u. It takes a third of the time of √ and
   // division.
@@ -174,7 +183,8 @@ HWY_INLINE Pixels shaded(const RowTask& task, const RowSphere& s, V x, V t, V P_
     const V Lz = hn::Sub(set(each.z), Pz);
     const V inverse = inverse_sqrt(dot(Lx, Ly, Lz, Lx, Ly, Lz));
     const V w = hn::Mul(hn::Add(eP, set(each.m)), inverse);
-    good = hn::And(good, hn::Le(w, set(small)));
+    // (An L too short for its square to be a normal float makes w infinite, of either sign.)
+    good = hn::And(good, hn::Le(hn::Abs(w), set(small)));
     const V cosine = hn::Mul(dot(Nx, Ny, Nz, Lx, Ly, Lz), inverse);
     const V bound = hn::MulAdd(set(each.I), hn::MulAdd(set(2.1F), w, eN), set(each.rest));
     light.add(hn::Mul(set(each.I), cosine), bound);

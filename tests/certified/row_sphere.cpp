@@ -32,8 +32,10 @@ bool along_row(const CameraScene& scene, const CameraSphere& sphere, double y, b
   if (!sphere.has_row_form) return true;
 
   const double q = sphere.q[0] + y * (sphere.q[1] + y * sphere.q[2]);
+  // (Coefficients below 2^-1000 have become 0.)
   const double dq = slack * (std::abs(sphere.q[0]) +
-                             std::abs(y) * (std::abs(sphere.q[1]) + std::abs(y * sphere.q[2])));
+                             std::abs(y) * (std::abs(sphere.q[1]) + std::abs(y * sphere.q[2]))) +
+                    0x1p-999 * (1 + std::abs(y) + y * y);
   const double xc = sphere.xc[0] + y * sphere.xc[1];
   const double dxc = slack * (std::abs(sphere.xc[0]) + std::abs(y * sphere.xc[1]));
   if (within_outline && sphere.k > 0) {  // the hits lie around xc, or there are none
@@ -62,7 +64,9 @@ bool along_row(const CameraScene& scene, const CameraSphere& sphere, double y, b
   row.xf = static_cast<float>(xf);
   // Around xc a hit has T <= q, so that E is one number for the row. (Beyond, where disc < -E, E
   // grows by less than disc does: what is taken for a miss is one.)
-  const double E0 = 1.01 * (2.1 * U * std::abs(q) + dq + 1.1 * std::abs(sphere.k) * e * e / U);
+  // The last part is for a Δ² that is no normal float.
+  const double E0 = 1.01 * (2.1 * U * std::abs(q) + dq + 1.1 * std::abs(sphere.k) * e * e / U +
+                            std::abs(sphere.k) * 0x1p-148);
   const double E = sphere.k > 0 ? (E0 + 7.5 * U * std::abs(q)) * (1 + 1e-6) : E0;
   row.E = static_cast<float>(E);
 
