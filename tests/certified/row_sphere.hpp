@@ -4,8 +4,8 @@
 // marks what is computed. Written with one rounding an operation; a fused one rounds less.
 //
 //   Δ = x − xc        x − xi is exact: |Δ̂ − Δ| <= u|Δ̂| + e, where xf is off by e
-//   T = k Δ²          |T̂ − T| <= 6.2u |T̂| + 1.1 |k| e²/u
-//   disc = q − T      off by at most E = E0 + 7.4u |T̂|, E0 = 2.1u |q| + δq + 1.1 |k| e²/u
+//   T = k Δ²          |T̂ − T| <= 6.2u |T̂| + |k| (1.1 e²/u + 2^-148): Δ² may be subnormal
+//   disc = q − T      off by at most E = E0 + 7.4u |T̂|, E0 = 2.1u |q| + δq + |k| (1.1 e²/u + 2^-148)
 //   s = √disc         |ŝ − s| <= uŝ + E/ŝ
 //   h = h0 + hx x     |ĥ − h| <= Eh
 //   g = s + |h|       at every hit g >= g_least: g >= |h|, and g >= √(a|c|), for s² = h² − ac
