@@ -19,9 +19,14 @@ double to_double(const mpq_class& x) {
 }
 namespace {
 
-using reference::operator-;  // triples are arrays, so that it is not found by their namespace
 using Exact = mpq_class;
 using ExactTriple = reference::Triple<mpq_class>;
+
+/// (The operators on triples are found where their namespace is named: triples are arrays.)
+ExactTriple difference(const ExactTriple& a, const ExactTriple& b) {
+  using namespace reference;
+  return a - b;
+}
 
 Triple to_doubles(const ExactTriple& x) {
   return {to_double(x[0]), to_double(x[1]), to_double(x[2])};
@@ -106,7 +111,7 @@ void set_shades(const ExactTriple& color, CameraSphere& sphere) {
 CameraSphere camera_sphere(const reference::ExactScene& scene, std::size_t index,
                            const Exact& unlit, double longest_D) {
   const reference::ExactSphere& exact = scene.spheres[index];
-  const ExactTriple V = exact.center - scene.camera;
+  const ExactTriple V = difference(exact.center, scene.camera);
   const Exact c = reference::squared_length(V) - exact.radius * exact.radius;
   const Exact& d = scene.projection_plane_d;
   CameraSphere sphere{};
@@ -160,7 +165,7 @@ Sight sight_of(const reference::ExactScene& scene, const CameraSphere& sphere) {
 
 CameraLight camera_light(const reference::ExactScene& scene, const reference::ExactLight& exact) {
   CameraLight light{exact.is_point, to_double(exact.intensity), {}, 0, {}, 0};
-  ExactTriple L = exact.is_point ? exact.vector - scene.camera : exact.vector;
+  ExactTriple L = exact.is_point ? difference(exact.vector, scene.camera) : exact.vector;
   light.M = to_doubles(L);
   light.M_length = length(light.M);
   // By its largest component first, so that no square leaves the range of double.

@@ -84,7 +84,7 @@ TEST_CASE("floats decide nearly all of an ordinary scene") {
       "light { type = point intensity = 0.6 position = (2, 1, 0) }\n");
   Picture picture;
   const Effort effort = Renderer(scene, all_light).render(picture);
-  CHECK(effort.in_float + effort.in_double + effort.exact == 24 * 24);
+  CHECK(effort.in_float + effort.in_double + effort.exact == 576);  // all
   CHECK(effort.in_float > 560);
 }
 

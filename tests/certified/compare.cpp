@@ -20,10 +20,10 @@ double share_of_bound(float I, float error, const reference::Enclosure& exact) {
 
 }  // namespace
 
-Comparison compare(const SceneText& text, reference::Terms terms, bool by_general_plan) {
-  const reference::ExactScene scene = reference::to_exact(text);
-  Renderer renderer(text, terms);
-  if (by_general_plan) renderer = Renderer(text, terms, general_plan(renderer.scene()));
+Comparison compare(const SceneText& scene, reference::Terms terms, bool by_general_plan) {
+  const reference::ExactScene exact_scene = reference::to_exact(scene);
+  Renderer renderer(scene, terms);
+  if (by_general_plan) renderer = Renderer(scene, terms, general_plan(renderer.scene()));
   Picture picture;
   Claims claims;
   Comparison result;
@@ -31,7 +31,7 @@ Comparison compare(const SceneText& text, reference::Terms terms, bool by_genera
   std::size_t pixel = 0;
   for (int row = 0; row < picture.height; ++row) {
     for (int column = 0; column < picture.width; ++column, ++pixel) {
-      const ExactPixel exact = exact_pixel(scene, terms, column, row, bits_of_I);
+      const ExactPixel exact = exact_pixel(exact_scene, terms, column, row, bits_of_I);
       long wrong = 0;
       for (std::size_t i = 0; i < 3; ++i) {
         wrong += picture.rgb[3 * pixel + i] != exact.bytes[i] ? 1 : 0;

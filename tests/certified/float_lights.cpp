@@ -20,7 +20,7 @@ FloatLights float_lights(const CameraScene& scene, const std::vector<double>& re
   lights.brightest = static_cast<float>(brightest * (1 + 1e-6));
   // The ambient light and the colors round once each, the channel and its two ends three times; a
   // plain sum rounds once a light, a compensated one about twice in all.
-  const double count = static_cast<double>(scene.lights.size());
+  const auto count = static_cast<double>(scene.lights.size());
   lights.many = count > few;
   lights.sum_share = static_cast<float>(U * (6.2 + (lights.many ? 2.2 : count)));
   lights.error_share += static_cast<float>(1.1 * U * count);

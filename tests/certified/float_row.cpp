@@ -246,6 +246,9 @@ HWY_INLINE void report(M unsure, const CameraSphere* sphere, int column, int wid
   }
 }
 
+/// Of a column's bytes in its row.
+constexpr std::ptrdiff_t offset_of(int column) { return std::ptrdiff_t{3} * column; }
+
 /// Stores pixels that show one sphere.
 HWY_INLINE void store(const Pixels& pixels, const CameraSphere& sphere, std::uint8_t* rgb) {
   const auto black = to_u8(set(0));
@@ -255,7 +258,7 @@ HWY_INLINE void store(const Pixels& pixels, const CameraSphere& sphere, std::uin
     channels[k + 1] = to_u8(pixels.shades[k]);
   }
   const auto channel = [&](std::size_t i) {
-    return channels[static_cast<std::size_t>(sphere.shade_of[i] + 1)];
+    return channels[static_cast<std::size_t>(sphere.shade_of[i]) + 1];
   };
   hn::StoreInterleaved3(channel(0), channel(1), channel(2), hn::Rebind<std::uint8_t, Tag>(), rgb);
 }
@@ -303,7 +306,7 @@ HWY_NOINLINE void mixed_group(const RowTask& task, std::span<const int> candidat
       }
     }
     hn::StoreInterleaved3(to_u8(bytes[0]), to_u8(bytes[1]), to_u8(bytes[2]),
-                          hn::Rebind<std::uint8_t, Tag>(), rgb + 3 * column);
+                          hn::Rebind<std::uint8_t, Tag>(), rgb + offset_of(column));
   }
   report(nearest.unsure, nullptr, column, task.width, undecided);
 }
@@ -340,7 +343,7 @@ HWY_INLINE void group(const RowTask& task, std::span<const int> candidates, int 
   }
   const Pixels pixels = pixels_of(task, s, x, h.t, h.P_error);
   if (task.claims != nullptr) claim(hn::Not(none()), pixels, column, *task.claims);
-  store(pixels, *s.sphere, rgb + 3 * column);
+  store(pixels, *s.sphere, rgb + offset_of(column));
   report(hn::Not(pixels.decided), s.sphere, column, task.width, undecided);
 }
 

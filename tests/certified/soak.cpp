@@ -73,7 +73,7 @@ int main(int argc, char** argv) {
   std::thread other(work);
   work();
   other.join();
-  const double pixels =
+  const auto pixels =
       static_cast<double>(sum.effort.in_float + sum.effort.in_double + sum.effort.exact);
   fmt::print(
       "{} scenes, {} unsound, {} undecided; of {:.0f} pixels {:.3f} % by floats, {:.3f} % by "
