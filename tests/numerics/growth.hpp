@@ -31,9 +31,9 @@ std::string spheres_in_view(int count);
 /// The lecture's spheres under `count` lights, every other one directional.
 std::string under_lights(int count);
 
-std::string table_of(const std::vector<GrowthSeries>& series);
-std::string csv_of(const std::vector<GrowthSeries>& series);
+std::string table_of(const std::vector<GrowthSeries>& all);
+std::string csv_of(const std::vector<GrowthSeries>& all);
 /// For gnuplot: all series, log-log, beside a line of slope 1.
-std::string growth_script(const std::vector<GrowthSeries>& series, bool as_png);
+std::string growth_script(const std::vector<GrowthSeries>& all, bool as_png);
 
 }  // namespace fos::numerics

@@ -34,10 +34,10 @@ struct Truth {
 /// rows are done, from the calling thread. Throws what the oracle throws: std::range_error for
 /// numbers beyond 10^±10000, UndecidedError.
 Truth truth_of(
-    const SceneText& scene, const std::function<void(int rows)>& on_rows = [](int) {});
+    const SceneText& text, const std::function<void(int rows)>& on_rows = [](int) {});
 
 /// The scene as a stage sees it, `terms` as in Stage: without the lights that are no term of its I.
 /// Without any term I is 1 (an ambient light of 1 and no other).
-SceneText as_seen_by(const SceneText& scene, unsigned terms);
+SceneText as_seen_by(const SceneText& text, unsigned terms);
 
 }  // namespace fos::numerics
