@@ -108,6 +108,17 @@ void set_shades(const ExactTriple& color, CameraSphere& sphere) {
   }
 }
 
+/// Sizes that floats carry through all products here with neither overflow nor underflow.
+bool is_moderate(double size) { return size >= 0x1p-20 && size <= 0x1p20; }
+
+/// Whether the sphere's own numbers suit floats at all.
+bool suits_float(const CameraScene& scene, const CameraSphere& sphere) {
+  const double D = std::hypot(scene.kx * scene.width, scene.ky * scene.height, scene.d);
+  return sphere.has_row_form && is_moderate(sphere.r) && is_moderate(scene.d) && is_moderate(D) &&
+         sphere.V_length <= 0x1p20 && std::abs(sphere.c) >= 0x1p-20 &&
+         std::abs(sphere.k) >= 0x1p-60 && std::abs(sphere.k) <= 0x1p60;
+}
+
 CameraSphere camera_sphere(const reference::ExactScene& scene, std::size_t index,
                            const Exact& unlit, double longest_D) {
   const reference::ExactSphere& exact = scene.spheres[index];
@@ -199,6 +210,7 @@ CameraScene camera_scene(const reference::ExactScene& scene, reference::Terms te
   for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
     CameraSphere sphere = camera_sphere(scene, i, unlit, out.longest_D);
     const bool is_new = known.emplace(scene.spheres[i].center, scene.spheres[i].radius).second;
+    sphere.suits_float = suits_float(out, sphere);
     sphere.sight = is_new ? sight_of(scene, sphere) : Sight::repeated;
     out.spheres.push_back(sphere);
   }

@@ -49,6 +49,7 @@ struct CameraSphere {
   double hx;
   bool inside;             ///< the camera is in the sphere, c < 0
   bool near_only;          ///< from outside, and no near root is less than 1: no far one is seen
+  bool suits_float;        ///< its numbers go through floats without overflow and underflow
   bool has_row_form;       ///< k ≠ 0: q and xc are there
   double nearest_t;        ///< a lower bound of t, at least 1
   int first_row, end_row;  ///< it cannot be seen in other rows

@@ -9,17 +9,6 @@ namespace {
 /// What an expression of a few doubles may be off, for the sum of the sizes of its terms.
 constexpr double slack = 0x1p-49;
 
-/// Sizes that floats carry through all products here with neither overflow nor underflow.
-bool is_moderate(double size) { return size >= 0x1p-20 && size <= 0x1p20; }
-
-/// Whether the sphere's own numbers suit floats at all.
-bool suits_float(const CameraScene& scene, const CameraSphere& sphere) {
-  const double D = std::hypot(scene.kx * scene.width, scene.ky * scene.height, scene.d);
-  return sphere.has_row_form && is_moderate(sphere.r) && is_moderate(scene.d) && is_moderate(D) &&
-         sphere.V_length <= 0x1p20 && std::abs(sphere.c) >= 0x1p-20 &&
-         std::abs(sphere.k) >= 0x1p-60 && std::abs(sphere.k) <= 0x1p60;
-}
-
 }  // namespace
 
 bool along_row(const CameraScene& scene, const CameraSphere& sphere, double y, bool within_outline,
@@ -52,7 +41,7 @@ bool along_row(const CameraScene& scene, const CameraSphere& sphere, double y, b
     if (row.first_column >= row.end_column) return false;
   }
   const bool moderate_q = std::abs(q) >= 0x1p-80 && std::abs(q) <= 0x1p80;
-  if (!suits_float(scene, sphere) || !moderate_q || !(std::abs(xc) <= 0x1p60)) return true;
+  if (!sphere.suits_float || !moderate_q || !(std::abs(xc) <= 0x1p60)) return true;
 
   const double U = u;
   const double xi = std::clamp(std::nearbyint(xc), -0x1p21, 0x1p21);

@@ -161,7 +161,7 @@ std::string plot_script(const Study& study, PlotFormat format) {
   if (zero) {
     out += fmt::format("set ytics add ({} {})\n", quoted(say(text::trade_plot_zero)), axes.zero);
     out += fmt::format(
-        "set arrow from graph 0, first {0} to graph 1, first {0} nohead linecolor rgb '#606060' "
+        "set arrow from graph 0, first {0} to graph 1, first {0} nohead linecolor rgb '#d0d0d0' "
         "dashtype 2 linewidth 2\n",
         axes.zero);
   }
