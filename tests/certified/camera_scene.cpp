@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "exact_pixel.hpp"
+
 namespace fos::certified {
 
 double to_double(const mpq_class& x) {
@@ -17,6 +19,7 @@ double to_double(const mpq_class& x) {
   if (exponent > 1000) return sgn(x) * std::numeric_limits<double>::infinity();
   return x.get_d();
 }
+
 namespace {
 
 using Exact = mpq_class;
@@ -35,14 +38,6 @@ double length(const Triple& v) {
   return std::hypot(std::hypot(v[0], v[1]), v[2]);  // of three arguments it may be NaN for infinity
 }
 
-Bytes to_bytes(const ExactTriple& color, const Exact& I) {
-  Bytes bytes{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    bytes[i] = static_cast<std::uint8_t>(reference::to_byte(color[i] * I));
-  }
-  return bytes;
-}
-
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
@@ -54,8 +49,8 @@ struct Range {
 /// rounding.
 Range extent(double Vu, double Vz, double r, double d, double step) {
   // Of normal numbers only, products included.
-  const auto is_moderate = [](double size) { return size >= 0x1p-200 && size <= 0x1p200; };
-  if (!is_moderate(Vz) || !is_moderate(r) || !is_moderate(d) || !is_moderate(step) ||
+  const auto is_normal = [](double size) { return size >= 0x1p-200 && size <= 0x1p200; };
+  if (!is_normal(Vz) || !is_normal(r) || !is_normal(d) || !is_normal(step) ||
       !(std::abs(Vu) <= 0x1p200)) {
     return {};
   }

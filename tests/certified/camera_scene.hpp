@@ -1,5 +1,5 @@
 // A scene as the camera of one canvas sees it: constants that hold for every pixel, each worked out
-// in exact arithmetic and rounded once.
+// in exact arithmetic and rounded once, to within 2^-52 of its size.
 //
 // Along the row at height y (pixels, y = H/2 − 1 − row) the ray at x has D = (x kx, y ky, d). With
 // V = C − O the slides' quadratic has a = D·D, b = −2h for h = V·D, c = V·V − r², and a quarter of
@@ -24,9 +24,6 @@ namespace fos::certified {
 
 using Triple = std::array<double, 3>;
 using Bytes = std::array<std::uint8_t, 3>;
-
-/// A number here is within 2^-52 of its size of the exact one.
-inline constexpr double rounding = 0x1p-52;
 
 /// Whether any pixel may see a sphere, or why none can.
 enum class Sight {

@@ -7,7 +7,6 @@
 #include "oracle.hpp"
 
 namespace fos::certified {
-namespace {
 
 using reference::Triple;
 
@@ -18,8 +17,6 @@ std::array<std::uint8_t, 3> to_bytes(const Triple<mpq_class>& color, const mpq_c
   }
   return bytes;
 }
-
-}  // namespace
 
 ExactPixel exact_pixel(const reference::ExactScene& scene, reference::Terms terms, int column,
                        int row, int bits) {

@@ -16,6 +16,9 @@ struct ExactPixel {
   std::array<std::uint8_t, 3> bytes{};
 };
 
+/// The bytes of color * I.
+std::array<std::uint8_t, 3> to_bytes(const reference::Triple<mpq_class>& color, const mpq_class& I);
+
 /// With I known to 2^-`bits` of itself at least. Throws reference::UndecidedError.
 ExactPixel exact_pixel(const reference::ExactScene& scene, reference::Terms terms, int column,
                        int row, int bits = 0);

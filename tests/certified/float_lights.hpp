@@ -1,10 +1,9 @@
 // The lights of a scene in floats, with what their terms may be off. row_sphere.hpp has u, eP, eN.
 //
 // A term is I max(0, cos). It adds nothing to the error where it is surely not positive.
-//   directional  |error| <= I eN + rest,                 rest = 5u I (+ what replaced a point
-//   light) point        |error| <= I (eN + 2.1 w) + rest,       rest = 18u I, w = (eP + m) / |L| <=
-//   1/64
-// with m = 1.1u |M| for the rounding of L = M − P. Where w is larger, floats do not decide.
+//   directional  off by at most I eN + rest, rest = 5u I and what replaced a point light
+//   point        off by at most I (eN + 2.1 w) + rest, rest = 18u I, w = (eP + m) / |L|
+// with m = 1.1u |M| for the rounding of L = M − P. Where w > 1/64, floats do not decide.
 #pragma once
 
 #include <vector>

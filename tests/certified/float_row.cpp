@@ -36,7 +36,6 @@ struct Nearest {
   M unsure;
 };
 
-/// A sphere's hit in each pixel, as far as floats can tell.
 /// About 1/x for an x >= 0, and large for 0.
 HWY_INLINE V reciprocal(V x) {
 #if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
@@ -46,6 +45,7 @@ HWY_INLINE V reciprocal(V x) {
 #endif
 }
 
+/// A sphere's hit in each pixel, as far as floats can tell.
 struct Hit {
   V t;
   V P_error;  ///< eP/t

@@ -5,10 +5,12 @@
 //
 //   Δ = x − xc        x − xi is exact: |Δ̂ − Δ| <= u|Δ̂| + e, where xf is off by e
 //   T = k Δ²          |T̂ − T| <= 6.2u |T̂| + |k| (1.1 e²/u + 2^-148): Δ² may be subnormal
-//   disc = q − T      off by at most E = E0 + 7.4u |T̂|, E0 = 2.1u |q| + δq + |k| (1.1 e²/u +
-//   2^-148) s = √disc         |ŝ − s| <= uŝ + E/ŝ h = h0 + hx x     |ĥ − h| <= Eh g = s + |h| at
-//   every hit g >= g_least: g >= |h|, and g >= √(a|c|), for s² = h² − ac t = |c|/g or g/a  from
-//   outside (h > 0) the near and the far root; from inside the far
+//   disc = q − T      off by at most E = E0 + 7.4u |T̂|,
+//                     E0 = 2.1u |q| + δq + |k| (1.1 e²/u + 2^-148)
+//   s = √disc         |ŝ − s| <= uŝ + E/ŝ
+//   h = h0 + hx x     |ĥ − h| <= Eh
+//   g = s + |h|       at every hit g >= g_least: g >= |h|, and g >= √(a|c|), for s² = h² − ac
+//   t = |c|/g or g/a  from outside (h > 0) the near and the far root; from inside the far
 //                     one, h < 0 and h >= 0. No cancellation: |t̂ − t| <= t̂ (At + Bt E/ŝ)
 //   P = t D           from the camera; |P̂ − P| <= eP = t̂ |D| (At + Bt E/ŝ + 4u)
 //   N = P/r − V/r     |N̂ − N| <= eN = eP/r + n0

@@ -146,10 +146,8 @@ std::vector<Decision> decisions_of(const Renderer& renderer) {
             std::to_string(effort.exact)}),
        in_double});
 
-  Plan none = all_spheres;
-  none.within_outlines = false;
-  none.shade = true;
-  none.replaced.assign(plan.replaced.size(), -1);
+  Plan none = certified::general_plan(scene);
+  none.spheres = all_spheres.spheres;
   none.in_float = false;
   decisions.push_back({"", none});
   return decisions;
@@ -165,11 +163,7 @@ int shrinkage(const SceneText& scene) {
 
 /// One row: the words, and at the right what is saved.
 void print(const std::string& words, const std::string& saves) {
-  const auto letters = std::count_if(
-      words.begin(), words.end(), [](char c) { return (static_cast<unsigned char>(c) >> 6) != 2; });
-  const auto room =
-      static_cast<std::size_t>(std::max<long>(1, 78 - letters - static_cast<long>(saves.size())));
-  std::cout << words << (saves.empty() ? "" : std::string(room, ' ') + saves) << '\n';
+  std::cout << (saves.empty() ? words : fmt::format("{:<71} {:>6}", words, saves)) << '\n';
 }
 
 int show_plan(const std::filesystem::path& path) {

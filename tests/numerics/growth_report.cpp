@@ -10,15 +10,6 @@
 namespace fos::numerics {
 namespace {
 
-/// `words` at the right end of `width` columns, counted in letters.
-std::string right(const std::string& words, std::size_t width) {
-  const auto letters =
-      static_cast<std::size_t>(std::count_if(words.begin(), words.end(), [](char c) {
-        return (static_cast<unsigned char>(c) >> 6) != 2;
-      }));
-  return std::string(width > letters ? width - letters : 0, ' ') + words;
-}
-
 /// On the plot canvases are counted in ten thousands of pixels, beside spheres and lights.
 double plotted(const GrowthSeries& series, const GrowthPoint& point) {
   return static_cast<double>(point.number) / (series.id == "canvas" ? 1e4 : 1);
@@ -30,9 +21,9 @@ std::string table_of(const std::vector<GrowthSeries>& all) {
   std::string out = say(text::growth_title) + "\n";
   for (const GrowthSeries& series : all) {
     out += "\n" + say(*series.what) + "\n";
-    out += right(say(*series.number), 12) + right(say(text::growth_per_pixel), 12) +
-           right(say(text::growth_frame), 12) + right(say(text::growth_power), 9) +
-           right(say(text::growth_setup), 17) + "\n";
+    out += fmt::format("{:>12}{:>12}{:>12}{:>9}{:>17}\n", say(*series.number),
+                       say(text::growth_per_pixel), say(text::growth_frame),
+                       say(text::growth_power), say(text::growth_setup));
     const GrowthPoint* before = nullptr;
     for (const GrowthPoint& point : series.points) {
       const std::string power =
