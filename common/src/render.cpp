@@ -15,9 +15,10 @@ Vec3 canvas_to_viewport(const View& view, int column, int row) {
   return {x * view.viewport_width / W, y * view.viewport_height / H, view.projection_plane_d};
 }
 
-void render(const Scene& scene, const View& view, const RowSink& sink) {
+void render(const Scene& scene, const View& view, const RowSink& sink, RowInTheMaking& making) {
   const auto width = static_cast<std::size_t>(view.canvas_width);
-  std::vector<Color> colors(width);
+  making.colors.assign(width, Color(0));
+  std::vector<Color>& colors = making.colors;
   std::vector<std::uint8_t> unwritten(width);
   // Copies that trace_ray cannot reach, so that what depends on the row alone is computed once.
   const View own = view;
@@ -29,9 +30,16 @@ void render(const Scene& scene, const View& view, const RowSink& sink) {
       const Vec3 D = canvas_to_viewport(own, column, row);
       colors[i] = trace_ray(O, D, 1, infinity, scene);
       unwritten[i] = take_unwritten() ? 1 : 0;
+      making.pixels.store(column + 1, std::memory_order_relaxed);
     }
+    making.pixels = 0;
     sink(colors, unwritten);
   }
+}
+
+void render(const Scene& scene, const View& view, const RowSink& sink) {
+  RowInTheMaking making;
+  render(scene, view, sink, making);
 }
 
 }  // namespace fos

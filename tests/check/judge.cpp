@@ -90,36 +90,58 @@ bool Judge::accepts(const reference::Accepted& accepted, reference::Precision pr
          std::any_of(accepted.alternatives.begin(), accepted.alternatives.end(), lies_in);
 }
 
-Verdict Judge::judge(const Frame& frame) const {
+Judge::Judged Judge::judge(const Frame& frame, Pixel pixel) const {
   using reference::Precision;
+  const auto channels = frame.pixel(pixel.column, pixel.row);
+  if (!is_finite(channels)) return Judged::not_finite;
+  if (frame.is_unwritten(pixel.column, pixel.row)) return Judged::unwritten;
   const bool is_float = frame.header.precision == fos::Precision::binary32;
-  const Precision own = is_float ? Precision::float24 : Precision::double53;
+  const auto passes_at = [&](Precision precision, bool& judged) {
+    const auto accepted = reference_.accepted(pixel.column, pixel.row, precision);
+    judged = accepted.judged;
+    return accepts(accepted, precision, channels);
+  };
+  bool judged = true;
+  if (passes_at(is_float ? Precision::float24 : Precision::double53, judged)) {
+    return judged ? Judged::right : Judged::not_judged;
+  }
+  return !is_float && passes_at(Precision::float24, judged) ? Judged::right_to_float
+                                                            : Judged::wrong;
+}
+
+Verdict Judge::judge(const Frame& frame) const {
   Verdict verdict;
   for (Pixel pixel; pixel.row < reference_.height; ++pixel.row) {
     for (pixel.column = 0; pixel.column < reference_.width; ++pixel.column) {
-      const auto channels = frame.pixel(pixel.column, pixel.row);
-      const auto accepted_at = [&](Precision precision) {
-        return reference_.accepted(pixel.column, pixel.row, precision);
-      };
-      if (!is_finite(channels)) {
-        count(verdict.not_finite, pixel);
-        continue;
-      }
-      if (frame.is_unwritten(pixel.column, pixel.row)) {
-        count(verdict.unwritten, pixel);
-        continue;
-      }
-      const reference::Accepted accepted = accepted_at(own);
-      if (!accepted.judged) {
-        count(verdict.not_judged, pixel);
-      } else if (!accepts(accepted, own, channels)) {
-        const bool to_float =
-            !is_float && accepts(accepted_at(Precision::float24), Precision::float24, channels);
-        count(to_float ? verdict.only_float : verdict.wrong, pixel);
+      switch (judge(frame, pixel)) {
+        case Judged::right:
+          break;
+        case Judged::right_to_float:
+          count(verdict.only_float, pixel);
+          break;
+        case Judged::not_judged:
+          count(verdict.not_judged, pixel);
+          break;
+        case Judged::wrong:
+          count(verdict.wrong, pixel);
+          break;
+        case Judged::unwritten:
+          count(verdict.unwritten, pixel);
+          break;
+        case Judged::not_finite:
+          count(verdict.not_finite, pixel);
       }
     }
   }
   return verdict;
+}
+
+void Judge::each_wrong(const Frame& frame, const std::function<void(Pixel)>& visit) const {
+  for (Pixel pixel; pixel.row < reference_.height; ++pixel.row) {
+    for (pixel.column = 0; pixel.column < reference_.width; ++pixel.column) {
+      if (judge(frame, pixel) >= Judged::wrong) visit(pixel);
+    }
+  }
 }
 
 Frame Judge::exact() const {

@@ -8,12 +8,13 @@
 #pragma once
 
 #include <array>
-#include <optional>
+#include <functional>
 #include <vector>
 
 #include "fos/frame.hpp"
 #include "fos/scene_text.hpp"
 #include "fos/stage_list.hpp"
+#include "pixel.hpp"
 #include "reference_file.hpp"
 
 namespace fos {
@@ -28,11 +29,6 @@ struct Expected {
   int sphere = 0;                     ///< 0 is the background, else its number in the file, from 1
   std::array<Interval, 3> channels;   ///< accepted, 0..255
   std::array<std::uint8_t, 3> bytes;  ///< of the exact value
-};
-
-struct Pixel {
-  int column = 0;
-  int row = 0;
 };
 
 /// How many pixels of a kind there are, and the first of them.
@@ -64,10 +60,15 @@ class Judge {
   /// `frame` is whole and of the scene's canvas.
   Verdict judge(const Frame& frame) const;
 
+  /// Calls `visit` for each pixel that does not pass, row by row.
+  void each_wrong(const Frame& frame, const std::function<void(Pixel)>& visit) const;
+
   /// The exact picture, at double precision.
   Frame exact() const;
 
  private:
+  enum class Judged { right, right_to_float, not_judged, wrong, unwritten, not_finite };
+  Judged judge(const Frame& frame, Pixel pixel) const;
   bool accepts(const reference::Accepted& accepted, reference::Precision precision,
                std::span<const long double, 3> channels) const;
   Expected expect(const reference::Answer& answer, reference::Precision precision) const;

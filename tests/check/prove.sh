@@ -35,8 +35,8 @@ fi
 [[ $terms == *p* ]] && wrong+=(P_without_O L_reversed L_is_position light_moved distance_to_camera)
 [[ $terms == *d* ]] && wrong+=(direction_negated direction_is_position directional_forgotten)
 
-export FOS_TERMS=$terms
-passes() { FOS_PROGRAM=$bin/$1 "$bin/test_$stage" --abort &>/dev/null; }
+export FOS_TERMS=$terms FOS_STAGE=$stage
+passes() { FOS_PROGRAM=$bin/$1 "$bin/stage_under_test" "[stage]" --abort &>/dev/null; }
 
 bad=0
 for suffix in '' _float; do
@@ -50,7 +50,7 @@ for suffix in '' _float; do
   done
 done
 # Float in a double program is right, and is told so.
-FOS_LANG=en FOS_FORMULATION=float_throughout FOS_PROGRAM=$bin/variant_right "$bin/test_$stage" |
+FOS_LANG=en FOS_FORMULATION=float_throughout FOS_PROGRAM=$bin/variant_right "$bin/stage_under_test" "[stage]" |
   grep -q 'float precision' || { echo "float_throughout passes without a note" && bad=1; }
 export FOS_MISTAKE=none  # without a mistake the wrong programs are right
 for program in variant_wrong variant_wrong_float; do

@@ -2,14 +2,9 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
 #include <csignal>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
 
-#include "fos/bitmap.hpp"
 #include "fos/text.hpp"
 
 namespace fos {
@@ -33,48 +28,47 @@ std::string in_words(const Expected& expected) {
   const std::string what = expected.sphere == 0
                                ? say(text::check_background)
                                : say(text::check_sphere, {std::to_string(expected.sphere)});
-  return say(text::check_expected, {channels + ")", fmt::format("{} {} {}", r, g, b), what}) + "\n";
+  return say(text::check_expected, {channels + ")", fmt::format("{} {} {}  ({})", r, g, b, what)}) +
+         "\n";
 }
 
-/// The pixel as it came, and beside it every right answer.
-std::string pixel_in_words(const Judge& judge, const Frame& frame, Pixel pixel) {
-  const auto channels = frame.pixel(pixel.column, pixel.row);
-  const auto precision = frame.header.precision == Precision::binary32
-                             ? reference::Precision::float24
-                             : reference::Precision::double53;
-  std::string out;
-  for (const Expected& expected : judge.expected(pixel, precision)) out += in_words(expected);
+/// What came at a pixel.
+std::string in_words(std::span<const long double, 3> channels, bool unwritten) {
+  if (unwritten) return say(text::check_pixel_unwritten) + "\n";
   const std::string bytes = is_finite(channels)
                                 ? fmt::format("{} {} {}", to_byte(channels[0]),
                                               to_byte(channels[1]), to_byte(channels[2]))
                                 : "-";
-  return out +
-         say(text::check_came,
+  return say(text::check_came,
              {fmt::format("({:.10g}, {:.10g}, {:.10g})", channels[0], channels[1], channels[2]),
               bytes}) +
          "\n";
 }
 
-/// White where both agree, toward orange where yours is more, toward blue where it is less; the
-/// largest difference has the full color.
-Bitmap difference(const Frame& yours, const Frame& expected) {
-  std::vector<double> more(yours.unwritten.size());
-  double largest = 1e-3;  // below that, a thousandth of a byte's step, it stays pale
-  for (std::size_t i = 0; i < more.size(); ++i) {
-    for (std::size_t channel = 3 * i; channel < 3 * i + 3; ++channel) {
-      const long double d = yours.channels[channel] - expected.channels[channel];
-      if (!(std::abs(d) <= std::abs(more[i]))) more[i] = static_cast<double>(d);
-    }
-    if (std::isfinite(more[i])) largest = std::max(largest, std::abs(more[i]));
+/// The pixel as it came, and beside it every right answer.
+std::string pixel_in_words(const Judge& judge, const Frame& frame, Pixel pixel) {
+  const auto precision = frame.header.precision == Precision::binary32
+                             ? reference::Precision::float24
+                             : reference::Precision::double53;
+  std::string out;
+  for (const Expected& expected : judge.expected(pixel, precision)) out += in_words(expected);
+  return out + in_words(frame.pixel(pixel.column, pixel.row),
+                        frame.is_unwritten(pixel.column, pixel.row));
+}
+
+/// What a signal means to one who wrote a few lines of C++.
+std::string crash(int signal) {
+  switch (signal) {
+    case SIGSEGV:
+    case SIGBUS:
+      return say(text::check_crash_segv);
+    case SIGFPE:
+      return say(text::check_crash_fpe);
+    case SIGABRT:
+      return say(text::check_crash_abort);
+    default:
+      return strsignal(signal);
   }
-  Bitmap bitmap{yours.header.width, yours.header.height, {}};
-  for (const double d : more) {
-    const std::array<double, 3> full =
-        d > 0 ? std::array<double, 3>{230, 97, 1} : std::array<double, 3>{33, 102, 172};
-    const double share = std::isfinite(d) ? std::sqrt(std::abs(d) / largest) : 1;
-    for (const double channel : full) bitmap.rgb.push_back(to_byte(255 + share * (channel - 255)));
-  }
-  return bitmap;
 }
 
 }  // namespace
@@ -97,45 +91,39 @@ std::string describe(const Judge& judge, const Frame& frame, const Verdict& verd
   return out;
 }
 
+std::string describe(const PixelCase& expected, const Frame& frame) {
+  const auto [column, row] = expected.pixel;
+  const auto came = frame.pixel(column, row);
+  const auto& [r, g, b] = expected.expected;
+  const std::string bytes = fmt::format("{} {} {}", to_byte(r), to_byte(g), to_byte(b));
+  const std::string scene =
+      expected.scene.empty() ? say(text::check_the_lecture) : say(text::check_this_scene);
+  return say(text::check_pixel_at, {scene, std::to_string(column), std::to_string(row)}) + "\n" +
+         say(text::check_expected, {fmt::format("({:.10g}, {:.10g}, {:.10g})", r, g, b), bytes}) +
+         "\n" + in_words(came, frame.is_unwritten(column, row));
+}
+
 std::string describe(const Answer& answer, std::string_view scene_name) {
   const std::string detail = std::to_string(answer.detail);
-  const std::string rows = std::to_string(answer.rows);
+  const std::string row = std::to_string(answer.rows);
+  const std::string column = std::to_string(answer.pixels);
   switch (answer.ending) {
     case Ending::complete:
       return "";
     case Ending::refused:
-      return say(text::check_refused, {scene_name});
+      return say(text::check_refused, {scene_name}) + "\n";
     case Ending::crashed:
-      return say(text::check_crashed, {scene_name, strsignal(answer.detail), rows});
+      return say(text::check_crashed, {scene_name, crash(answer.detail), column, row}) + "\n";
     case Ending::timed_out:
-      return say(text::check_timed_out, {scene_name, rows});
+      return say(text::check_timed_out, {scene_name, column, row}) + "\n";
     case Ending::exited:
-      return say(text::check_exited, {scene_name, detail, rows});
+      return say(text::check_exited, {scene_name, detail, column, row}) + "\n";
     case Ending::malformed:
-      return say(text::check_malformed, {scene_name});
+      return say(text::check_malformed, {scene_name}) + "\n";
     case Ending::did_not_start:
       break;
   }
-  return say(text::check_did_not_start, {scene_name, std::strerror(answer.detail)});
-}
-
-bool write_comparison(const std::filesystem::path& picture_program,
-                      const std::filesystem::path& path, const Judge& judge, const Frame& frame) {
-  const Frame exact = judge.exact();
-  // The shell gets the paths as variables, so that no character in them means anything to it.
-  setenv("FOS_SHEET_PROGRAM", picture_program.c_str(), 1);
-  setenv("FOS_SHEET_PATH", path.c_str(), 1);
-  // A picture program that is not there must not take the report with it.
-  std::signal(SIGPIPE, SIG_IGN);
-  std::FILE* sheet = popen(R"("$FOS_SHEET_PROGRAM" sheet 3 400 "$FOS_SHEET_PATH")", "w");
-  if (sheet == nullptr) return false;
-  for (const Panel& panel : {Panel{say(text::check_yours), to_bitmap(frame)},
-                             Panel{say(text::check_right), to_bitmap(exact)},
-                             Panel{say(text::check_difference), difference(frame, exact)}}) {
-    const std::string bytes = encode(panel);
-    std::fwrite(bytes.data(), 1, bytes.size(), sheet);
-  }
-  return pclose(sheet) == 0;
+  return say(text::check_did_not_start, {scene_name, std::strerror(answer.detail)}) + "\n";
 }
 
 }  // namespace fos

@@ -1,12 +1,12 @@
-// A verdict in words, and as a picture: yours, expected, and the difference.
+// A verdict in words.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
 #include "fos/stage_program.hpp"
 #include "judge.hpp"
+#include "stage_test.hpp"
 
 namespace fos {
 
@@ -16,13 +16,10 @@ namespace fos {
 std::string describe(const Judge& judge, const Frame& frame, const Verdict& verdict,
                      std::string_view scene_name);
 
-/// Why there is no frame to judge.
-std::string describe(const Answer& answer, std::string_view scene_name);
+/// A pixel of a frame that is not what was worked out by hand: where, what is expected, what came.
+std::string describe(const PixelCase& expected, const Frame& frame);
 
-/// Writes yours / expected / difference side by side. `picture_program` is fos_picture: it alone
-/// loads OpenImageIO, and only here, so that a check that passes never waits for that. Returns
-/// whether it could.
-bool write_comparison(const std::filesystem::path& picture_program,
-                      const std::filesystem::path& path, const Judge& judge, const Frame& frame);
+/// Why there is no frame to judge, and at which pixel it ended.
+std::string describe(const Answer& answer, std::string_view scene_name);
 
 }  // namespace fos

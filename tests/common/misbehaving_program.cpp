@@ -48,6 +48,13 @@ int main() {
     }
     send(header.data(), header.size());
     if (kind == "loops" || kind == "sleeps" || kind == "crashes" || kind == "ends") send_rows(1);
+    if (kind == "prints and crashes") {
+      std::cout << std::string(100'000, '-') << std::flush;
+      send_rows(1);
+      const double pixel[3] = {1, 2, 3};
+      send(pixel, sizeof(pixel));
+      std::abort();
+    }
     if (kind == "closes") close(3);
     if (kind == "crashes") std::abort();
     if (kind == "ends") _exit(0);

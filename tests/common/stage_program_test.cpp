@@ -49,6 +49,21 @@ TEST_CASE("a crash is an answer, with the rows that came") {
   CHECK(outcome.frame.channels.size() == 6);
 }
 
+TEST_CASE("a program that ends in the middle of a row says at which pixel") {
+  const Outcome outcome = ask("prints and crashes", {std::chrono::seconds(10), 10, true});
+  CHECK(outcome.answer.ending == Ending::crashed);
+  CHECK(outcome.answer.rows == 1);
+  CHECK(outcome.answer.pixels == 1);
+}
+
+TEST_CASE("what a program prints is kept, and never more than a few KiB of it") {
+  setenv("MISBEHAVIOUR", "prints and crashes", 1);
+  StageProgram program(FOS_MISBEHAVING, {std::chrono::seconds(10), 10, true});
+  Frame frame;
+  program.ask({"name", "text", 2, 2}, frame);
+  CHECK(program.words() == std::string(4096, '-'));
+}
+
 TEST_CASE("what never ends is ended, by the clock or by its processor time") {
   CHECK(ask("sleeps", {std::chrono::milliseconds(100), 0}).answer.ending == Ending::timed_out);
   CHECK(ask("does not read", {std::chrono::milliseconds(100), 0}).answer.ending ==

@@ -1,9 +1,11 @@
 // The camera and the loop over the pixels.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "fos/scene.hpp"
 
@@ -29,7 +31,14 @@ Vec3 canvas_to_viewport(const View& view, int column, int row);
 using RowSink =
     std::function<void(std::span<const Color> colors, std::span<const std::uint8_t> unwritten)>;
 
+/// The row that is being made: for the one who must say at which pixel it ended.
+struct RowInTheMaking {
+  std::vector<Color> colors;
+  std::atomic<int> pixels{0};  ///< done, from the left; 0 also between two rows
+};
+
 /// Calls trace_ray for each pixel and hands each row to `sink` as soon as it is made.
+void render(const Scene& scene, const View& view, const RowSink& sink, RowInTheMaking& making);
 void render(const Scene& scene, const View& view, const RowSink& sink);
 
 }  // namespace fos

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <string>
 
 #include "fos/frame.hpp"
 #include "fos/request.hpp"
@@ -27,11 +28,14 @@ struct Answer {
   int detail = 0;
   FrameHeader header;
   int rows = 0;  ///< whole rows received, from the top
+  int pixels =
+      0;  ///< of the next row, where it ended in the middle of one: it ended at this column
 };
 
 struct Limits {
   std::chrono::milliseconds wall{0};  ///< for one answer; 0 for none
   int cpu_seconds = 0;                ///< for the program's whole life; 0 for none
+  bool hear = false;                  ///< keep what it prints for words(), instead of showing it
 };
 
 /// Called about four times a second while nothing comes.
@@ -57,6 +61,9 @@ class StageProgram {
   /// The same, kept in memory: as much of the frame as came.
   Answer ask(const Request& request, Frame& frame);
 
+  /// The first few KiB of what the program has printed, where it is heard.
+  const std::string& words() const { return words_; }
+
   /// The running program's process, or -1: to ask the system what it uses.
   int process() const { return process_; }
 
@@ -69,6 +76,8 @@ class StageProgram {
   int process_ = -1;
   int requests_ = -1;  // a socket: the program's standard input
   int frames_ = -1;    // a pipe from the program's descriptor 3
+  int printed_ = -1;   // a pipe from its standard output and error, where it is heard
+  std::string words_;
 };
 
 }  // namespace fos

@@ -1,0 +1,24 @@
+// Many scenes asked of a stage at once, as many at a time as there are processors.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "fos/stage_program.hpp"
+
+namespace fos {
+
+/// What came for one scene.
+struct Asked {
+  bool asked = false;  ///< no scene is asked for once an answer has timed out
+  Answer answer;
+  Frame frame;
+  std::string printed;
+};
+
+/// Each of a new process of `program`, in any order; the answers are in the scenes' order.
+std::vector<Asked> ask_all(const std::filesystem::path& program, const Limits& limits,
+                           const std::vector<SceneText>& scenes);
+
+}  // namespace fos

@@ -1,0 +1,60 @@
+// A stage program put to everything that its test asks: what it does, what it does not, and why.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fos/stage_program.hpp"
+#include "judge.hpp"
+#include "stage_test.hpp"
+
+namespace fos {
+
+enum class Outcome {
+  passed,
+  failed,
+  not_judged  ///< not asked any more, once an answer never came
+};
+
+/// One line of a check: something that the stage must do.
+struct Finding {
+  std::string words;
+  Outcome outcome = Outcome::passed;
+  int passed = 0;  ///< of `things`: the scenes are counted one by one
+  int things = 1;
+  std::string why;  ///< for what failed: the first pixel, what is expected there and what came
+};
+
+/// The scene that a picture of the check shows, and the pixel to look at first.
+struct Shown {
+  std::string scene_name;
+  std::shared_ptr<const Judge> judge;
+  Frame frame;
+  Verdict verdict;
+};
+
+struct Findings {
+  const Stage* stage = nullptr;
+  std::vector<Finding> list;
+  int passed = 0;  ///< the sum over the list
+  int things = 0;
+  std::string note;            ///< for a stage that passes: right to float precision only
+  std::string printed;         ///< what the program printed where it first ended without a frame
+  std::optional<Shown> shown;  ///< the lecture's scene, or the first that is wrong; nothing where
+                               ///< no frame came
+  bool passes() const { return passed == things; }
+  /// Tenths of a point, rounded down, so that only what is whole gives all.
+  int tenths() const { return things == 0 ? 0 : 10 * stage->points * passed / things; }
+};
+
+/// Asks `program` for every scene, each of a new process, since a stage may keep statics; several
+/// at a time. Throws where a reference cannot be read, or the program is not there.
+Findings examine(const Stage& stage, const std::filesystem::path& program, const Limits& limits);
+
+/// The limits that end what never ends, and fail nobody on a busy machine.
+Limits patient_limits();
+
+}  // namespace fos
