@@ -5,6 +5,9 @@
 // A stage that ends in mid-row, by a crash or at its limit of time, leaves the pixels of that row
 // that it had made: so the asker knows at which pixel it ended.
 #include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -13,6 +16,7 @@
 #include <cstring>
 #include <exception>
 #include <iostream>
+#include <string_view>
 #include <system_error>
 
 #include "fos/frame.hpp"
@@ -104,18 +108,66 @@ std::FILE* take_requests() {
   return requests;
 }
 
+// --fresh: one process reads the requests, and a copy of it answers each.
+
+pid_t copy = 0;
+
+/// Answers by a copy that ends with it. Where the copy ends in another way, so does this process.
+void answer_fresh(const fos::Request& request) {
+  // Shared with the copy: whether the whole frame went out. A stage may call exit(0) too.
+  static auto* const whole = static_cast<bool*>(
+      mmap(nullptr, sizeof(bool), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
+  if (whole == MAP_FAILED) throw std::system_error(errno, std::generic_category());
+  *whole = false;
+  const pid_t reader = getpid();
+  copy = fork();
+  if (copy < 0) throw std::system_error(errno, std::generic_category());
+  if (copy == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != reader) _exit(127);
+    std::signal(SIGXCPU, SIG_DFL);
+    leave_pixels_on_signals();
+    answer(request);
+    *whole = true;
+    std::cout.flush();
+    std::fflush(nullptr);
+    _exit(0);
+  }
+  int status = 0;
+  while (waitpid(copy, &status, 0) < 0 && errno == EINTR) {
+  }
+  copy = 0;
+  if (WIFSIGNALED(status)) {
+    std::signal(WTERMSIG(status), SIG_DFL);
+    raise(WTERMSIG(status));
+  }
+  if (!*whole) _exit(WEXITSTATUS(status));
+}
+
+/// The asker's word that time is up is for the copy.
+void hand_on(int signal) {
+  if (copy > 0) kill(copy, signal);
+}
+
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
+  const bool fresh = argc > 1 && std::string_view(argv[1]) == "--fresh";
   if (fcntl(frame_descriptor, F_GETFD) == -1) {
     std::cerr << fos::say(fos::text::stage_run_by_lab) << '\n';
     return 2;
   }
   try {
-    leave_pixels_on_signals();
     std::atexit(leave_pixels);  // a stage may call exit() too
+    if (fresh) {
+      std::signal(SIGXCPU, hand_on);
+    } else {
+      leave_pixels_on_signals();
+    }
     std::FILE* requests = take_requests();
-    while (const auto request = fos::read_request(requests)) answer(*request);
+    while (const auto request = fos::read_request(requests)) {
+      fresh ? answer_fresh(*request) : answer(*request);
+    }
   } catch (const std::system_error& error) {  // nobody reads the frame, or a descriptor is shut
     std::cerr << error.what() << '\n';
     return 3;

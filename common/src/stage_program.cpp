@@ -23,11 +23,11 @@ void close_descriptor(int& descriptor) {
 
 /// In the child, between fork and exec: only calls that are safe there.
 [[noreturn]] void become(const char* program, int requests, int frames, int printed, int errors,
-                         int cpu_seconds, pid_t parent) {
+                         const Limits& limits, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // never outlive the asker, however it ends
   if (getppid() != parent) _exit(127);
-  if (cpu_seconds > 0) {
-    const auto seconds = static_cast<rlim_t>(cpu_seconds);
+  if (limits.cpu_seconds > 0) {
+    const auto seconds = static_cast<rlim_t>(limits.cpu_seconds);
     const rlimit cpu{seconds, seconds + 1};
     setrlimit(RLIMIT_CPU, &cpu);
   }
@@ -43,7 +43,8 @@ void close_descriptor(int& descriptor) {
   if (words >= 0) dup2(words, 1);
   if (words >= 0) dup2(words, 2);
   dup2(out, 3);
-  char* const arguments[] = {const_cast<char*>(program), nullptr};
+  char fresh[] = "--fresh";
+  char* const arguments[] = {const_cast<char*>(program), limits.fresh ? fresh : nullptr, nullptr};
   execv(program, arguments);
   const int error = errno;
   [[maybe_unused]] const ssize_t told = write(errors, &error, sizeof(error));
@@ -70,10 +71,12 @@ bool StageProgram::start() {
   if (!opened) error = errno;
   if (opened) {
     const pid_t parent = getpid();
-    process_ = fork();
+    // vfork: a frame may be large, and copying the page tables of one who holds some costs more
+    // than all the rest of a start. Until exec the child uses this process's memory, and leaves it
+    // alone.
+    process_ = vfork();
     if (process_ == 0) {
-      become(program_.c_str(), requests[1], frames[1], printed[1], errors[1], limits_.cpu_seconds,
-             parent);
+      become(program_.c_str(), requests[1], frames[1], printed[1], errors[1], limits_, parent);
     }
     if (process_ < 0) error = errno;
     close_descriptor(errors[1]);
@@ -86,7 +89,6 @@ bool StageProgram::start() {
   requests_ = requests[0];
   frames_ = frames[0];
   printed_ = printed[0];
-  words_.clear();
   if (error != 0) stop();
   errno = error;
   return error == 0;
@@ -114,6 +116,7 @@ Answer StageProgram::ask(const Request& request, const HeaderSink& on_header,
     answer.detail = detail;
     return answer;
   };
+  words_.clear();
   if (process_ < 0 && !start()) return ended(Ending::did_not_start, errno);
 
   Exchange exchange(requests_, frames_, printed_, words_, encode(request), limits_.wall, on_wait);
@@ -179,7 +182,14 @@ Answer StageProgram::ask(const Request& request, const HeaderSink& on_header,
 Answer StageProgram::ask(const Request& request, Frame& frame) {
   frame = {};
   return ask(
-      request, [&](const FrameHeader& header) { frame.header = header; },
+      request,
+      [&](const FrameHeader& header) {
+        frame.header = header;
+        const auto pixels =
+            static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height);
+        frame.channels.reserve(3 * pixels);
+        frame.unwritten.reserve(pixels);
+      },
       [&](int /*row*/, const Row& row) { frame.append(row); });
 }
 

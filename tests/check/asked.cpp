@@ -1,30 +1,26 @@
 #include "asked.hpp"
 
-#include <algorithm>
 #include <atomic>
-#include <thread>
+
+#include "parallel.hpp"
 
 namespace fos {
 
 std::vector<Asked> ask_all(const std::filesystem::path& program, const Limits& limits,
                            const std::vector<SceneText>& scenes) {
   std::vector<Asked> all(scenes.size());
-  std::atomic<std::size_t> next{0};
   std::atomic<bool> hopeless{false};
-  const auto work = [&] {
-    for (std::size_t i = next++; i < scenes.size() && !hopeless; i = next++) {
-      StageProgram one(program, limits);
-      all[i].answer = one.ask(request_for(scenes[i]), all[i].frame);
-      all[i].printed = one.words();
+  in_parallel(scenes.size(), [&] {
+    return [&, one = std::make_unique<StageProgram>(program, limits)](std::size_t i) {
+      if (hopeless) return;
+      const auto frame = std::make_shared<Frame>();
+      all[i].answer = one->ask(request_for(scenes[i]), *frame);
+      all[i].frame = frame;
+      all[i].printed = one->words();
       all[i].asked = true;
       if (all[i].answer.ending == Ending::timed_out) hopeless = true;
-    }
-  };
-  std::vector<std::jthread> workers;
-  const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
-  while (workers.size() + 1 < std::min(processors, scenes.size())) workers.emplace_back(work);
-  work();
-  workers.clear();
+    };
+  });
   return all;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,11 +14,11 @@ namespace fos {
 struct Asked {
   bool asked = false;  ///< no scene is asked for once an answer has timed out
   Answer answer;
-  Frame frame;
+  std::shared_ptr<const Frame> frame;  ///< as much of it as came
   std::string printed;
 };
 
-/// Each of a new process of `program`, in any order; the answers are in the scenes' order.
+/// In any order, each by a fresh copy of the program; the answers are in the scenes' order.
 std::vector<Asked> ask_all(const std::filesystem::path& program, const Limits& limits,
                            const std::vector<SceneText>& scenes);
 

@@ -7,6 +7,7 @@
 
 #include "asked.hpp"
 #include "fos/text.hpp"
+#include "parallel.hpp"
 #include "report.hpp"
 
 namespace fos {
@@ -17,14 +18,17 @@ class Answers {
  public:
   Answers(const Stage& stage, const StageTest& test)
       : lecture_(read_scene_text(FOS_LECTURE_SCENE)) {
+    judges_.resize(stage.scenes.size());
+    in_parallel(judges_.size(), [&] {
+      return [&](std::size_t i) {
+        const std::string file = std::string(stage.scenes[i]) + ".ref";
+        judges_[i] = std::make_shared<const Judge>(
+            reference::read_reference(std::filesystem::path(FOS_REFERENCE_DATA) / file),
+            stage.terms);
+      };
+    });
     // The large ones first, so that no processor is left waiting for one at the end.
-    for (const std::string_view name : stage.scenes) {
-      judges_.push_back(std::make_shared<const Judge>(
-          reference::read_reference(std::filesystem::path(FOS_REFERENCE_DATA) /
-                                    (std::string(name) + ".ref")),
-          stage.terms));
-      add(judges_.back()->scene());
-    }
+    for (const auto& judge : judges_) add(judge->scene());
     for (const Check& check : test.checks) {
       for (const PixelCase& pixel : check.pixels) add(scene(pixel));
     }
@@ -80,14 +84,14 @@ Finding find(const Check& check, const Answers& answers) {
   bool all_asked = true;
   for (const PixelCase& pixel : check.pixels) {
     const Asked& asked = answers.of(pixel);
-    if (asked.asked && asked.answer.ending == Ending::complete && is_right(asked.frame, pixel)) {
+    if (asked.asked && asked.answer.ending == Ending::complete && is_right(*asked.frame, pixel)) {
       continue;
     }
     finding.passed = 0;
     all_asked = all_asked && asked.asked;
     if (!asked.asked || !finding.why.empty()) continue;
     finding.why = asked.answer.ending == Ending::complete
-                      ? describe(pixel, asked.frame)
+                      ? describe(pixel, *asked.frame)
                       : describe(asked.answer, say(text::check_this_scene));
   }
   finding.outcome = outcome(finding, all_asked);
@@ -110,8 +114,8 @@ Finding find_whole_frames(const Stage& stage, const Answers& answers, Findings& 
       if (finding.why.empty()) finding.why = describe(asked.answer, name);
       continue;
     }
-    const Verdict verdict = judge.judge(asked.frame);
-    const std::string words = describe(judge, asked.frame, verdict, name);
+    const Verdict verdict = judge.judge(*asked.frame);
+    const std::string words = describe(judge, *asked.frame, verdict, name);
     if (verdict.passes()) {
       ++finding.passed;
       findings.note += words;
@@ -149,6 +153,6 @@ Findings examine(const Stage& stage, const std::filesystem::path& program, const
   return findings;
 }
 
-Limits patient_limits() { return {std::chrono::seconds(60), 10, true}; }
+Limits patient_limits() { return {std::chrono::seconds(60), 10, true, true}; }
 
 }  // namespace fos

@@ -32,7 +32,7 @@ struct Finding {
 struct Shown {
   std::string scene_name;
   std::shared_ptr<const Judge> judge;
-  Frame frame;
+  std::shared_ptr<const Frame> frame;
   Verdict verdict;
 };
 
@@ -50,8 +50,8 @@ struct Findings {
   int tenths() const { return things == 0 ? 0 : 10 * stage->points * passed / things; }
 };
 
-/// Asks `program` for every scene, each of a new process, since a stage may keep statics; several
-/// at a time. Throws where a reference cannot be read, or the program is not there.
+/// Asks `program` for every scene, each by a fresh copy, since a stage may keep statics; several at
+/// a time. Throws where a reference cannot be read, or the program is not there.
 Findings examine(const Stage& stage, const std::filesystem::path& program, const Limits& limits);
 
 /// The limits that end what never ends, and fail nobody on a busy machine.

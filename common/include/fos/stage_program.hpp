@@ -36,6 +36,8 @@ struct Limits {
   std::chrono::milliseconds wall{0};  ///< for one answer; 0 for none
   int cpu_seconds = 0;                ///< for the program's whole life; 0 for none
   bool hear = false;                  ///< keep what it prints for words(), instead of showing it
+  bool fresh = false;  ///< each answer by a copy of its own, with its own cpu_seconds: what a stage
+                       ///< keeps in statics is gone. It costs a fifth of a new program
 };
 
 /// Called about four times a second while nothing comes.
