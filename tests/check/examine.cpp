@@ -94,7 +94,8 @@ Finding find(const Check& check, const Answers& answers) {
       finding.why = describe(pixel, *asked.frame);
       finding.spot = {pixel.scene, pixel.pixel};
     } else {
-      finding.why = describe(asked.answer, say(text::check_this_scene));
+      finding.why = describe(asked.answer, say(pixel.scene.empty() ? text::check_the_lecture
+                                                                   : text::check_this_scene));
     }
   }
   finding.outcome = outcome(finding, all_asked);
@@ -157,6 +158,6 @@ Findings examine(const Stage& stage, const std::filesystem::path& program, const
   return findings;
 }
 
-Limits patient_limits() { return {std::chrono::seconds(60), 10, true, true}; }
+Limits patient_limits() { return {std::chrono::seconds(60), 5, true, true}; }
 
 }  // namespace fos
