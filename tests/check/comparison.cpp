@@ -54,7 +54,7 @@ Difference difference(const Judge& judge, const Frame& frame) {
     long double most = 0;
     for (std::size_t i = 0; i < yours.size(); ++i) {
       const long double d = std::min(yours[i], 255.0L) - right[i];
-      if (!(std::abs(d) <= std::abs(most))) most = d;
+      if (std::isfinite(most) && !(std::abs(d) <= std::abs(most))) most = d;
     }
     out.signed_channels[static_cast<std::size_t>(pixel.row * frame.header.width + pixel.column)] =
         static_cast<double>(most);

@@ -80,7 +80,7 @@ bool is_right(const Frame& frame, const PixelCase& pixel) {
 }
 
 Finding find(const Check& check, const Answers& answers) {
-  Finding finding{say(check.words), Outcome::passed, 1, 1, ""};
+  Finding finding{say(check.words), Outcome::passed, 1, 1, "", std::nullopt};
   bool all_asked = true;
   for (const PixelCase& pixel : check.pixels) {
     const Asked& asked = answers.of(pixel);
@@ -90,9 +90,13 @@ Finding find(const Check& check, const Answers& answers) {
     finding.passed = 0;
     all_asked = all_asked && asked.asked;
     if (!asked.asked || !finding.why.empty()) continue;
-    finding.why = asked.answer.ending == Ending::complete
-                      ? describe(pixel, *asked.frame)
-                      : describe(asked.answer, say(text::check_this_scene));
+    if (asked.answer.ending == Ending::complete) {
+      finding.why = describe(pixel, *asked.frame);
+      finding.spot = {pixel.scene, pixel.pixel};
+    } else {
+      finding.why = describe(asked.answer, say(pixel.scene.empty() ? text::check_the_lecture
+                                                                   : text::check_this_scene));
+    }
   }
   finding.outcome = outcome(finding, all_asked);
   return finding;
@@ -101,7 +105,7 @@ Finding find(const Check& check, const Answers& answers) {
 /// Every pixel of every scene of the stage, and which of them to show.
 Finding find_whole_frames(const Stage& stage, const Answers& answers, Findings& findings) {
   const int scenes = static_cast<int>(stage.scenes.size());
-  Finding finding{say(text::check_every_pixel), Outcome::passed, 0, scenes, ""};
+  Finding finding{say(text::check_every_pixel), Outcome::passed, 0, scenes, "", std::nullopt};
   bool all_asked = true;
   bool wrong_is_shown = false;
   for (std::size_t i = 0; i < stage.scenes.size(); ++i) {
@@ -121,6 +125,7 @@ Finding find_whole_frames(const Stage& stage, const Answers& answers, Findings& 
       findings.note += words;
     } else if (finding.why.empty()) {
       finding.why = words;
+      finding.spot = {name == "lecture" ? "" : judge.scene().source, verdict.first_wrong()};
     }
     if (!findings.shown || (!verdict.passes() && !wrong_is_shown)) {
       findings.shown = {name, answers.judges()[i], asked.frame, verdict};
@@ -153,6 +158,6 @@ Findings examine(const Stage& stage, const std::filesystem::path& program, const
   return findings;
 }
 
-Limits patient_limits() { return {std::chrono::seconds(60), 10, true, true}; }
+Limits patient_limits() { return {std::chrono::seconds(60), 5, true, true}; }
 
 }  // namespace fos

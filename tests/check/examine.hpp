@@ -19,6 +19,12 @@ enum class Outcome {
   not_judged  ///< not asked any more, once an answer never came
 };
 
+/// A pixel of a scene, to be looked at again.
+struct Spot {
+  std::string scene_text;  ///< empty for the lecture's scene
+  Pixel pixel;
+};
+
 /// One line of a check: something that the stage must do.
 struct Finding {
   std::string words;
@@ -26,6 +32,7 @@ struct Finding {
   int passed = 0;  ///< of `things`: the scenes are counted one by one
   int things = 1;
   std::string why;  ///< for what failed: the first pixel, what is expected there and what came
+  std::optional<Spot> spot;  ///< that pixel, if a frame came
 };
 
 /// The scene that a picture of the check shows, and the pixel to look at first.

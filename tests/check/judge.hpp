@@ -43,6 +43,12 @@ struct Verdict {
   Count wrong;       ///< in no accepted answer
   Count only_float;  ///< right to float precision only, in a program of a higher one
   Count not_judged;  ///< the derivation says nothing here; accepted if finite
+  /// The pixel to look at first in a frame that does not pass: non-finite ones come first.
+  Pixel first_wrong() const {
+    return not_finite.pixels > 0 ? not_finite.first
+           : wrong.pixels > 0    ? wrong.first
+                                 : unwritten.first;
+  }
   bool passes() const { return not_finite.pixels + unwritten.pixels + wrong.pixels == 0; }
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <csignal>
 #include <cstring>
 
@@ -32,6 +33,10 @@ std::string in_words(const Expected& expected) {
          "\n";
 }
 
+std::string number(long double channel) {
+  return std::isnan(channel) ? "NaN" : fmt::format("{:.10g}", channel);
+}
+
 /// What came at a pixel.
 std::string in_words(std::span<const long double, 3> channels, bool unwritten) {
   if (unwritten) return say(text::check_pixel_unwritten) + "\n";
@@ -39,9 +44,9 @@ std::string in_words(std::span<const long double, 3> channels, bool unwritten) {
                                 ? fmt::format("{} {} {}", to_byte(channels[0]),
                                               to_byte(channels[1]), to_byte(channels[2]))
                                 : "-";
-  return say(text::check_came,
-             {fmt::format("({:.10g}, {:.10g}, {:.10g})", channels[0], channels[1], channels[2]),
-              bytes}) +
+  return say(text::check_came, {fmt::format("({}, {}, {})", number(channels[0]),
+                                            number(channels[1]), number(channels[2])),
+                                bytes}) +
          "\n";
 }
 
@@ -82,10 +87,7 @@ std::string describe(const Judge& judge, const Frame& frame, const Verdict& verd
   finding(text::check_not_finite, verdict.not_finite);
   finding(text::check_unwritten, verdict.unwritten);
   finding(text::check_wrong, verdict.wrong);
-  const Count* shown = verdict.not_finite.pixels > 0 ? &verdict.not_finite
-                       : verdict.wrong.pixels > 0    ? &verdict.wrong
-                                                     : nullptr;
-  if (shown != nullptr) out += pixel_in_words(judge, frame, shown->first);
+  if (!verdict.passes()) out += pixel_in_words(judge, frame, verdict.first_wrong());
   if (verdict.passes()) finding(text::check_only_float, verdict.only_float);
   finding(text::check_not_judged, verdict.not_judged);
   return out;

@@ -63,7 +63,8 @@ class StageProgram {
   /// The same, kept in memory: as much of the frame as came.
   Answer ask(const Request& request, Frame& frame);
 
-  /// The first few KiB of what the program has printed, where it is heard.
+  /// The first few KiB of what the program printed before its last answer ended, where it is heard:
+  /// all of it where it crashed or left, and only what it had flushed where the frame came.
   const std::string& words() const { return words_; }
 
   /// The running program's process, or -1: to ask the system what it uses.
