@@ -40,6 +40,7 @@ namespace text {
 #define TEXT(name, english, greek) inline constexpr Text name{english, greek};
 #include "extremes.def"
 #include "growth.def"
+#include "mistakes.def"
 #include "plan.def"
 #include "scene.def"
 #include "stage.def"
