@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <map>
 #include <optional>
 
@@ -135,18 +137,33 @@ bool adds_up(std::span<const Frame> frames, std::size_t scenes) {
   return true;
 }
 
-/// A mistake that both kinds of lights show is made everywhere.
-Alternative both(const Alternative& point, const Alternative& directional) {
+/// Where a mistake that shows in the lights of one kind only is made. What the catalogue has for one
+/// kind alone says so itself; P and N are the same for both, so there it is no explanation.
+std::optional<Finding> only_in(const Finding& finding, Where where) {
+  const Misconception& mistake = misconception(finding.mistake);
+  if (mistake.slot == Slot::P || mistake.slot == Slot::N || mistake.slot == Slot::call) return {};
+  const bool for_one_kind =
+      (mistake.stages & in_point) == 0 || (mistake.stages & in_directional) == 0;
+  return Finding{finding.mistake, for_one_kind ? Where::everywhere : where};
+}
+
+/// A mistake that both kinds of lights show is made everywhere. Nothing where it cannot be.
+std::optional<Alternative> both(const Alternative& point, const Alternative& directional) {
   Alternative mistakes;
+  const auto has = [](const Alternative& alternative, const Finding& finding) {
+    return std::find(alternative.begin(), alternative.end(), finding) != alternative.end();
+  };
   for (const Finding& finding : point) {
-    const bool shared =
-        std::find(directional.begin(), directional.end(), finding) != directional.end();
-    mistakes.push_back({finding.mistake, shared ? Where::everywhere : Where::point_lights});
+    const auto where =
+        has(directional, finding) ? finding : only_in(finding, Where::point_lights);
+    if (!where) return std::nullopt;
+    mistakes.push_back(*where);
   }
   for (const Finding& finding : directional) {
-    if (std::find(point.begin(), point.end(), finding) == point.end()) {
-      mistakes.push_back({finding.mistake, Where::directional_lights});
-    }
+    if (has(point, finding)) continue;
+    const auto where = only_in(finding, Where::directional_lights);
+    if (!where) return std::nullopt;
+    mistakes.push_back(*where);
   }
   return mistakes;
 }
@@ -166,7 +183,7 @@ std::vector<Alternative> by_kind(std::span<const Frame> frames) {
   std::vector<Alternative> alternatives;
   for (const Alternative& each : of_point.alternatives) {
     for (const Alternative& other : of_directional.alternatives) {
-      alternatives.push_back(both(each, other));
+      if (auto mistakes = both(each, other)) alternatives.push_back(std::move(*mistakes));
     }
   }
   // A mistake in common explains more than two that only look alike.

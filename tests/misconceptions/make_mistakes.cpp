@@ -1,6 +1,6 @@
 #include "make_mistakes.hpp"
 
-#include <array>
+#include <cmath>
 
 #include "diagnostic_scenes.hpp"
 #include "light_code.hpp"
@@ -34,7 +34,7 @@ Plane make_plane(const Scenes& scenes, const StageMistakes& stage, unsigned term
         symbol = light_code(at_double[k].I);
         const double scale = light_scale(static_cast<double>(at_float[k].I));
         agree = agree && (symbol == not_a_number_code
-                              ? scale < 0
+                              ? std::isnan(scale)
                               : symbol - slack <= scale && scale <= symbol + 1 + slack);
       }
       plane.symbols.push_back(symbol);

@@ -18,7 +18,7 @@ namespace fos {
 
 /// One wrong line of a stage.
 enum class Mistake : std::uint8_t {
-#define MISTAKE(id, slot, stages) id,
+#define MISTAKE(id, slot, stages, look) id,
 #include "mistakes.inc"
 #undef MISTAKE
 };
