@@ -47,6 +47,11 @@ const std::vector<SceneText>& base_scenes() {
   return scenes;
 }
 
+std::size_t pixels_of(const SceneText& scene) {
+  return static_cast<std::size_t>(scene.canvas_width) *
+         static_cast<std::size_t>(scene.canvas_height);
+}
+
 std::vector<SceneText> diagnostic_scenes(const Stage& stage) {
   std::vector<SceneText> scenes = base_scenes();
   constexpr unsigned both = point_term | directional_term;

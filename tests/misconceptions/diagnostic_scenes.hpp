@@ -1,6 +1,7 @@
 // The small scenes on which mistakes are told apart, and what is made of them.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "fos/scene_text.hpp"
@@ -10,6 +11,9 @@ namespace fos {
 
 /// The scenes of tests/misconceptions/scenes, in the order of the data.
 const std::vector<SceneText>& base_scenes();
+
+/// How many pixels a scene's own canvas has.
+std::size_t pixels_of(const SceneText& scene);
 
 /// What to ask a stage program for, so that diagnose() can look at its frames: the base scenes; for
 /// a stage with lights of both kinds then the same without the directional lights, without the

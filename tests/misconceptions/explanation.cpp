@@ -31,8 +31,7 @@ std::optional<Evidence> Evidence::of(std::span<const Frame> frames) {
   Evidence evidence;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const Frame& frame = frames[i];
-    const auto pixels = static_cast<std::size_t>(scenes[i].canvas_width) *
-                        static_cast<std::size_t>(scenes[i].canvas_height);
+    const std::size_t pixels = pixels_of(scenes[i]);
     if (frame.header.width != scenes[i].canvas_width ||
         frame.header.height != scenes[i].canvas_height || frame.channels.size() != 3 * pixels ||
         frame.unwritten.size() != pixels) {
@@ -59,10 +58,7 @@ Explainer::Explainer(const StageMistakes& mistakes) : mistakes_(mistakes) {
   const std::vector<SceneText>& scenes = base_scenes();
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const SceneText& scene = scenes[i];
-    scene_.insert(scene_.end(),
-                  static_cast<std::size_t>(scene.canvas_width) *
-                      static_cast<std::size_t>(scene.canvas_height),
-                  i);
+    scene_.insert(scene_.end(), pixels_of(scene), i);
     colors_.push_back({channels(scene.background_color)});
     for (const SphereText& sphere : scene.spheres) colors_[i].push_back(channels(sphere.color));
   }

@@ -44,6 +44,27 @@ Plane make_plane(const Scenes& scenes, const StageMistakes& stage, unsigned term
   return plane;
 }
 
+/// One light alone: what it gives, and how far it is.
+void add_term(StageMistakes& made, const Stage& stage, const TermScene& term) {
+  const SceneAt<double> scene(term.scene);
+  Symbols symbols(made.spheres.size());
+  Symbols distances(made.spheres.size());
+  std::size_t pixel = 0;
+  for (std::size_t i = 0; i < term.base; ++i) pixel += pixels_of(base_scenes()[i]);
+  const auto picture = mistaken_picture(scene, stage.terms, {});
+  for (std::size_t k = 0; k < picture.size(); ++k, ++pixel) {
+    if (picture[k].sphere == 0) continue;
+    symbols[pixel] = picture[k].I > 0 ? light_code(picture[k].I) : light_is_behind;
+    if (scene.point_lights.empty()) continue;
+    const auto column = static_cast<int>(k) % scene.width;
+    const auto row = static_cast<int>(k) / scene.width;
+    const auto P = scene.camera_position + picture[k].t * scene.direction(column, row);
+    distances[pixel] = light_code(length(scene.point_lights[0].position - P) / 4);
+  }
+  made.terms.push_back(std::move(symbols));
+  made.distances.push_back(std::move(distances));
+}
+
 bool has_plane(const Misconception& each) {
   return each.slot != Slot::ending && each.slot != Slot::background;
 }
@@ -85,18 +106,7 @@ StageMistakes make_mistakes(const Stage& stage) {
       made.planes.push_back(std::move(pair));
     }
   }
-  for (const TermScene& term : term_scenes(stage)) {
-    const auto picture = mistaken_picture(SceneAt<double>(term.scene), stage.terms, {});
-    Symbols symbols(made.spheres.size());
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i < term.base; ++i) {
-      begin += static_cast<std::size_t>(scenes.at_double[i].width * scenes.at_double[i].height);
-    }
-    for (std::size_t k = 0; k < picture.size(); ++k) {
-      if (picture[k].sphere != 0) symbols[begin + k] = light_code(picture[k].I);
-    }
-    made.terms.push_back(std::move(symbols));
-  }
+  for (const TermScene& term : term_scenes(stage)) add_term(made, stage, term);
   return made;
 }
 

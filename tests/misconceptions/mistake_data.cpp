@@ -154,6 +154,7 @@ std::string encode(const StageMistakes& mistakes, const std::vector<SceneText>& 
   }
   put(bytes, mistakes.terms.size());
   for (const Symbols& term : mistakes.terms) put(bytes, layout, term);
+  for (const Symbols& distance : mistakes.distances) put(bytes, layout, distance);
 
   std::string file = fmt::format("fos mistakes 1 {:08x} {:08x} {}\n", scenes_checksum(scenes),
                                  catalogue_checksum(), bytes.size());
@@ -198,7 +199,9 @@ StageMistakes decode(const std::string& file, const std::vector<SceneText>& scen
     plane.symbols = in.symbols(layout);
   }
   mistakes.terms.resize(in.number());
+  mistakes.distances.resize(mistakes.terms.size());
   for (Symbols& term : mistakes.terms) term = in.symbols(layout);
+  for (Symbols& distance : mistakes.distances) distance = in.symbols(layout);
   if (!in.at_end() || mistakes.planes.empty()) {
     throw MistakeDataError("the data of the mistakes are damaged");
   }

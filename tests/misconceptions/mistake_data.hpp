@@ -10,7 +10,8 @@
 //     how many of its pixels are not compared, and which
 //     its symbols: of every pixel the sphere that is seen, in a stage without light; else of every
 //     pixel that sees a sphere the code of its I (light_code.hpp)
-//   then the planes of the light terms: every light that the stage counts, alone
+//   then, for every light that the stage counts, the plane of its term alone, in which 0 is a pixel
+//   that it does not reach; and for each of them the plane of |L| / 4
 // A symbol is stored as its difference from what its neighbours suggest, in one byte, or after the
 // byte 0xff in two.
 #pragma once
@@ -31,6 +32,9 @@ namespace fos {
 /// The symbols of all pixels of the scenes, one after the other: light codes or spheres.
 using Symbols = std::vector<std::uint16_t>;
 
+/// In the plane of a light term, a pixel that the light does not reach: not the code of any I.
+inline constexpr std::uint16_t light_is_behind = 0;
+
 struct Plane {
   std::optional<Mistake> first;
   std::optional<Mistake> second;
@@ -43,7 +47,8 @@ struct StageMistakes {
   bool has_light = false;               ///< whether symbols are light codes, or spheres
   std::vector<std::uint16_t> spheres;   ///< that the right tracer sees
   std::vector<Plane> planes;
-  std::vector<Symbols> terms;           ///< each light alone, in the order of term_scenes()
+  std::vector<Symbols> terms;      ///< each light alone, in the order of term_scenes()
+  std::vector<Symbols> distances;  ///< |L| / 4 of the same lights, 0 for a directional one
 };
 
 /// Thrown for data that are missing, damaged, or of other scenes or another catalogue.

@@ -30,6 +30,7 @@ class MistakenTracer {
     int sphere = 0;  ///< its number in the file, from 1; 0 is the background
     T I = 1;
     Vec color{0};
+    T t = 0;
   };
 
   /// `terms` are Term bits, 0 for the plain color. Keeps a reference to the scene.
@@ -46,14 +47,14 @@ class MistakenTracer {
       return {0, 1, is(Mistake::black_background) ? Vec(0) : Vec(scene_.background_color)};
     }
     const auto& sphere = scene_.spheres[static_cast<std::size_t>(hit.sphere) - 1];
-    if (terms_ == 0) return {hit.sphere, 1, ended(sphere.color, 1)};
+    if (terms_ == 0) return {hit.sphere, 1, ended(sphere.color, 1), hit.t};
 
     const Vec P = point(O, D, hit.t);
     Vec N = normal(P, sphere.center, O, D);
     if (!is(Mistake::N_not_normalised)) N = N / length(N);
     const T I = is(Mistake::P_and_N_swapped) ? lighting(N, P, sphere.center, O, D)
                                              : lighting(P, N, sphere.center, O, D);
-    return {hit.sphere, I, ended(sphere.color, I)};
+    return {hit.sphere, I, ended(sphere.color, I), hit.t};
   }
 
  private:
