@@ -41,6 +41,7 @@ namespace text {
 #include "check.def"
 #include "extremes.def"
 #include "growth.def"
+#include "mistakes.def"
 #include "plan.def"
 #include "scene.def"
 #include "stage.def"
