@@ -38,6 +38,7 @@ std::string say(const Text& text, std::initializer_list<std::string_view> values
 
 namespace text {
 #define TEXT(name, english, greek) inline constexpr Text name{english, greek};
+#include "explain.def"
 #include "extremes.def"
 #include "growth.def"
 #include "plan.def"
