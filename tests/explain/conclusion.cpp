@@ -64,13 +64,14 @@ class Speaker {
   std::string say_why() const {
     switch (difference_.why) {
       case Why::no_answer:
-        return say(text::explain_why_no_answer);
+        return where() + say(text::explain_why_no_answer);
       case Why::not_finite:
-        return say(text::explain_why_not_finite, {channels()});
+        return where() + say(text::explain_why_not_finite, {channels()});
       case Why::whole_numbers:
-        return say(text::explain_why_whole_numbers, {channels(), right_channels()});
+        return where() + say(text::explain_why_whole_numbers, {channels(), right_channels()});
       case Why::no_multiple:
-        return say(text::explain_why_no_multiple, {channels(), color_text(sphere_color())});
+        return where() +
+               say(text::explain_why_no_multiple, {channels(), color_text(sphere_color())});
       case Why::plain_color:
         return say(text::explain_why_plain_color);
       case Why::not_alone:
@@ -94,6 +95,12 @@ class Speaker {
     if (difference_.line == Line::ambient) return *comparison_.ambient;
     if (difference_.line == Line::light) return *comparison_.lights[difference_.light];
     return comparison_.whole();
+  }
+  /// Which lights the scene has that the line is about.
+  std::string where() const {
+    if (difference_.line == Line::ambient) return say(text::explain_with_ambient) + " ";
+    if (difference_.line != Line::light) return say(text::explain_with_all) + " ";
+    return say(text::explain_with_light, {std::to_string(difference_.light + 1)}) + " ";
   }
   std::string channels() const { return triple_text(question().given.channels); }
   std::string right_channels() const {
@@ -204,7 +211,7 @@ int exit_status(const Comparison& comparison) {
 }
 
 Pair told_apart(const reference::Enclosure& right, const SeenI& yours) {
-  constexpr int all_digits = 17;
+  constexpr int all_digits = 15;
   Pair pair;
   for (int digits = shown_digits; digits <= all_digits; digits += 2) {
     pair = {decimal_text(right, digits), decimal_text(yours.value, digits)};

@@ -62,6 +62,7 @@ std::vector<std::string> draw_angle(double degrees, const std::vector<std::strin
     line.erase(line.find_last_not_of(' ') + 1);
     lines.push_back(std::move(line));
   }
+  while (lines.back().empty()) lines.pop_back();
   return lines;
 }
 

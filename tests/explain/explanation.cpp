@@ -148,7 +148,10 @@ class Writer {
     unseen(chain_.hit->root == 0 ? "t = t1" : "t = t2", decimal_text(chain_.hit->t));
     unseen("P = O + tD", triple_text(chain_.hit->P));
     unseen("N = CP/|CP|", triple_text(chain_.hit->N));
-    if (subject_.stage.terms == 0) page_.paragraph(say(text::explain_no_light));
+    if (subject_.stage.terms == 0) {
+      page_.line();
+      page_.paragraph(say(text::explain_no_light));
+    }
     return true;
   }
 

@@ -201,9 +201,12 @@ class Comparer {
     return Why::different;
   }
 
+  /// Whether it is the color as it is.
   bool is_plain(const Question& question) const {
-    const SeenI plain{1, false};
-    return question.I && question.I->value == plain.value && !question.I->at_least;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (question.given.channels[i] != nearest<long double>((*color())[i])) return false;
+    }
+    return true;
   }
 
   /// Whether all terms by themselves are right.

@@ -35,7 +35,7 @@ int parse_number(std::string_view word) {
   int number = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   if (error != std::errc() || end != word.data() + word.size() || number < 0) {
-    throw UsageError(say(text::explain_bad_number, {word}));
+    throw UsageError(say(text::tool_usage));
   }
   return number;
 }

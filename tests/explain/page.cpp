@@ -10,8 +10,8 @@ namespace {
 constexpr std::size_t page_columns = 80;
 // Two blanks, name, right, yours, mark.
 constexpr std::size_t name_columns = 24;
-constexpr std::size_t right_columns = 32;
-constexpr std::size_t yours_columns = 18;
+constexpr std::size_t right_columns = 35;
+constexpr std::size_t yours_columns = 16;
 
 std::string padded(std::string_view text, std::size_t columns) {
   const std::size_t used = columns_of(text);

@@ -17,12 +17,13 @@ make_tree() {
   rm -rf "$TREE" "$STATE"
   make_machine
   mkdir -p "$TREE/common/text" "$TREE/cmake" "$TREE"/{labs,solutions}/lecture0{3,4} \
-    "$TREE/labs/scenes" "$TREE/tests/lab" "$TREE/tests/numerics" "$TREE/tests/common/corpus" "$STATE"
+    "$TREE/labs/scenes" "$TREE/tests/lab" "$TREE"/tests/{explain,numerics} "$TREE/tests/common/corpus" "$STATE"
   cp "$SOURCE/lab" "$TREE/lab"
   cp "$SOURCE/common/text/lab.def" "$TREE/common/text/"
   cp "$SOURCE/cmake/packages.bash" "$TREE/cmake/"
   cp "$SOURCE/tests/lab/heavy_checks.bash" "$TREE/tests/lab/"
   cp "$SOURCE/tests/numerics/trade.bash" "$TREE/tests/numerics/"
+  cp "$SOURCE/tests/explain/explain.bash" "$TREE/tests/explain/"
   touch "$TREE/labs/scenes/lecture.scene" "$TREE/labs/stages.json"
   for stage in lecture03/flat_color lecture04/ambient lecture04/point; do
     touch "$TREE/labs/$stage.cpp" "$TREE/solutions/$stage.cpp"

@@ -29,6 +29,8 @@ lab test
 check "a kit without tests runs none" status 2
 lab trade
 check "a kit without tests measures nothing" status 2
+lab explain point 3 4
+check "a kit without tests explains nothing" status 2
 make_tree
 
 # wrong WHAT-STDERR-MUST-NAME ARGUMENT…: one line of error, status 2, and nothing is made.
@@ -42,7 +44,7 @@ wrong() {
 }
 touch "$WORK/unreadable" && mkdir -p "$WORK/folder.png"
 wrong "did you mean 'render'" rendr
-wrong "'nonsense' (there is: render test trade help)" nonsense
+wrong "'nonsense' (there is: render explain test trade help)" nonsense
 wrong "'render test'" 'render test'
 wrong "''" ''
 wrong 'a{0}&\{1}*$(x)' 'a{0}&\{1}*$(x)'
@@ -74,6 +76,22 @@ wrong "''" render point --output=
 wrong "'.png'" render point --output .png
 wrong "'folder.png'" render point --output folder.png
 wrong "'no/such/'" render point --output no/such/x.png
+wrong "needs a stage, a column and a row" explain
+wrong "needs a stage, a column and a row" explain point
+wrong "needs a stage, a column and a row" explain point 3
+wrong "needs a stage, a column and a row" explain point 3 4 5
+wrong "did you mean 'point'" explain pont 3 4
+wrong "there is no stage '3'" explain 3 4
+wrong "there is no stage ''" explain '' 3 4
+for number in -3 3.5 x '' ' 3' 3x4 0x10 99999999999 '$(touch x)'; do
+  wrong "'$number'" explain point "$number" 4
+  wrong "'$number'" explain point 4 "$number"
+done
+wrong "did you mean '--scene'" explain point 3 4 --scen x.scene
+wrong "'--nonsense'" explain --nonsense point 3 4
+wrong "'--scene'" explain point 3 4 --scene
+wrong "'nosuch.scene'" explain point 3 4 --scene nosuch.scene
+wrong "folder" explain point 3 4 --scene "$TREE"
 wrong "did you mean '--scene'" trade --scen x.scene
 wrong "did you mean '--plot'" trade --plt=x.png
 wrong "'--nonsense'" trade --nonsense
