@@ -23,15 +23,15 @@ double order(const SphereMet& met) {
 }
 
 std::string counts(const SphereMet& met) {
-  if (met.counts[0] && met.counts[1]) return say(text::explain_both_count);
-  if (!met.counts[0] && !met.counts[1]) return say(text::explain_none_counts);
+  if (met.counts[0] && met.counts[1]) return "t1, t2";
+  if (!met.counts[0] && !met.counts[1]) return "-";
   return met.counts[0] ? "t1" : "t2";
 }
 
 std::string cells(const std::string& sphere, const std::string& discriminant, const std::string& t1,
                   const std::string& t2, const std::string& rest) {
   std::string out =
-      fmt::format("  {:>7}{:>15}{:>14}{:>14}   {}", sphere, discriminant, t1, t2, rest);
+      fmt::format("  {:>6}{:>14}{:>14}{:>14}   {}", sphere, discriminant, t1, t2, rest);
   out.erase(out.find_last_not_of(' ') + 1);
   return out;
 }
@@ -46,7 +46,7 @@ std::string line(const Chain& chain, std::size_t i) {
   }
   std::string rest = counts(met);
   if (chain.hit && chain.hit->sphere == static_cast<int>(i + 1)) {
-    rest += fmt::format("   <- {}: t{}", say(text::explain_nearest), chain.hit->root + 1);
+    rest += fmt::format("  <- {}: t{}", say(text::explain_nearest), chain.hit->root + 1);
   }
   return cells(sphere, discriminant, decimal_text(met.roots[0]), decimal_text(met.roots[1]), rest);
 }
