@@ -17,7 +17,7 @@ make_tree() {
   rm -rf "$TREE" "$STATE"
   make_machine
   mkdir -p "$TREE/common/text" "$TREE/cmake" "$TREE"/{labs,solutions}/lecture0{3,4} \
-    "$TREE/labs/scenes" "$TREE/tests/lab" "$TREE/tests/numerics" "$TREE/tests/common/corpus" \
+    "$TREE/labs/scenes" "$TREE/tests/lab" "$TREE"/tests/{explain,numerics} "$TREE/tests/common/corpus" \
     "$TREE"/tests/check/shipped/lecture0{3,4} "$STATE"
   cp "$SOURCE/lab" "$TREE/lab"
   cp "$SOURCE/common/text/lab.def" "$TREE/common/text/"
@@ -25,6 +25,7 @@ make_tree() {
   cp "$SOURCE/tests/lab/heavy_checks.bash" "$TREE/tests/lab/"
   cp "$SOURCE/tests/numerics/trade.bash" "$TREE/tests/numerics/"
   cp "$SOURCE/tests/check/student.bash" "$TREE/tests/check/"
+  cp "$SOURCE/tests/explain/explain.bash" "$TREE/tests/explain/"
   touch "$TREE/labs/scenes/lecture.scene" "$TREE/labs/stages.json"
   for stage in lecture03/flat_color lecture04/ambient lecture04/point; do
     touch "$TREE/solutions/$stage.cpp"
