@@ -53,6 +53,7 @@ Alternative alternative(const Plane& plane, const MistakeSet& finish) {
 /// What explains the frames of the base scenes with the fewest mistakes.
 struct Match {
   bool right = false;
+  bool too_many = false;  ///< so many that they say nothing
   std::vector<Alternative> alternatives;
   bool known() const { return right || !alternatives.empty(); }
 };
@@ -81,7 +82,8 @@ Match match(const Stage& stage, std::span<const Frame> frames) {
       }
     }
   }
-  if (match.alternatives.size() > most_alternatives) match.alternatives.clear();
+  match.too_many = match.alternatives.size() > most_alternatives;
+  if (match.too_many) match.alternatives.clear();
   return match;
 }
 
@@ -137,8 +139,8 @@ bool adds_up(std::span<const Frame> frames, std::size_t scenes) {
   return true;
 }
 
-/// Where a mistake that shows in the lights of one kind only is made. What the catalogue has for one
-/// kind alone says so itself; P and N are the same for both, so there it is no explanation.
+/// Where a mistake that shows in the lights of one kind only is made. What the catalogue has for
+/// one kind alone says so itself; P and N are the same for both, so there it is no explanation.
 std::optional<Finding> only_in(const Finding& finding, Where where) {
   const Misconception& mistake = misconception(finding.mistake);
   if (mistake.slot == Slot::P || mistake.slot == Slot::N || mistake.slot == Slot::call) return {};
@@ -154,8 +156,7 @@ std::optional<Alternative> both(const Alternative& point, const Alternative& dir
     return std::find(alternative.begin(), alternative.end(), finding) != alternative.end();
   };
   for (const Finding& finding : point) {
-    const auto where =
-        has(directional, finding) ? finding : only_in(finding, Where::point_lights);
+    const auto where = has(directional, finding) ? finding : only_in(finding, Where::point_lights);
     if (!where) return std::nullopt;
     mistakes.push_back(*where);
   }
@@ -226,7 +227,7 @@ const StageMistakes& mistakes_of(const Stage& stage) {
 
 Diagnosis diagnose(const Stage& stage, std::span<const Frame> frames) {
   const Match whole = match(stage, frames);
-  if (whole.right) return {};
+  if (whole.right || whole.too_many) return {};
   if (whole.known()) return settle(whole.alternatives);
   if (frames.size() > base_scenes().size()) return settle(by_kind(frames));
   return {};
@@ -236,8 +237,8 @@ std::vector<std::string> describe(const Diagnosis& diagnosis) {
   std::vector<std::string> lines;
   add_words(lines, diagnosis.certain, "");
   if (diagnosis.one_of.empty()) return lines;
-  lines.push_back(say(diagnosis.certain.empty() ? text::diagnosis_one_of
-                                                : text::diagnosis_and_one_of));
+  lines.push_back(
+      say(diagnosis.certain.empty() ? text::diagnosis_one_of : text::diagnosis_and_one_of));
   for (std::size_t i = 0; i < diagnosis.one_of.size(); ++i) {
     if (i > 0) lines.push_back(say(text::diagnosis_or));
     add_words(lines, diagnosis.one_of[i], "  ");
