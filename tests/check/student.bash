@@ -69,7 +69,7 @@ build_stages() {
   local stage targets=(fos_check fos_picture) alone=() line whose='' skip='' failed='' trouble=''
   local -A said=()
   declare -gA MADE=()
-  mkdir -p "$ROOT/build/logs" || exit 3
+  mkdir -p "$ROOT"/build/{logs,images} || exit 3
   for stage; do
     MADE[$stage]=missing
     [[ -e $ROOT/labs/${FOS_STAGE_FILE[$stage]} ]] || continue

@@ -42,6 +42,7 @@ namespace text {
 #include "explain.def"
 #include "extremes.def"
 #include "growth.def"
+#include "hint.def"
 #include "mistakes.def"
 #include "plan.def"
 #include "scene.def"
