@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "advice.hpp"
 #include "check_report.hpp"
 #include "comparison.hpp"
 #include "fos/text.hpp"
@@ -111,6 +112,10 @@ bool check_one(const Options& options, const Job& job, const Paint& paint) {
                                         : panels,
                          24, paint.colors());
   }
+  if (first_failure(findings) != nullptr) {
+    const Advice advice = advise(*job.stage, job.program, patient_limits());
+    if (!advice.words.empty()) std::cout << '\n' << advice.words;
+  }
   std::cout << '\n' << next_step(findings) << std::flush;
   if (const Finding* first = first_failure(findings); first != nullptr && first->spot) {
     std::cout << explain_line(options, *job.stage, *first->spot) << std::flush;
@@ -128,7 +133,12 @@ bool check_all(const Options& options, const Paint& paint) {
   std::vector<StageResult> results;
   for (const Job& job : options.jobs) {
     StageResult result{job.stage, std::nullopt, ""};
-    if (!job.program.empty()) result.findings = examine(*job.stage, job.program, patient_limits());
+    if (!job.program.empty()) {
+      result.findings = examine(*job.stage, job.program, patient_limits());
+      if (first_failure(*result.findings) != nullptr) {
+        result.mistake = advise(*job.stage, job.program, patient_limits()).mistake;
+      }
+    }
     results.push_back(std::move(result));
   }
   std::cout << overview(results, paint);

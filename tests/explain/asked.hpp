@@ -20,13 +20,13 @@ struct Given {
   bool came() const { return answer.ending == Ending::complete; }
 };
 
-/// The pixel as a part of the picture: the program renders the scene up to its row. Every question
-/// is one to a new process, for a stage may keep statics.
+/// The pixel as a part of the picture: the program renders the scene up to its row. Every
+/// question is one to a new process, for a stage may keep statics.
 Given ask_in_picture(const std::filesystem::path& program, const SceneText& scene, int column,
                      int row, Limits limits);
 
-/// The pixel's ray by itself (scene_source.hpp): the same O, D and scene in a millisecond. Where
-/// the scene bears no such canvas, in the picture.
+/// The pixel's ray by itself (scene_source.hpp): the same O, D and scene in a millisecond.
+/// Where the scene bears no such canvas, in the picture.
 Given ask_alone(const std::filesystem::path& program, const SceneText& scene, int column, int row,
                 Limits limits);
 

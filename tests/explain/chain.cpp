@@ -14,7 +14,6 @@ namespace {
 using reference::Enclosure;
 using reference::ExactScene;
 using reference::Triple;
-using reference::operator-;
 
 /// I and the channels to this part of themselves at least: more digits than are ever shown.
 constexpr int bits_of_I = 80;
@@ -27,9 +26,14 @@ Triple<Surd> to_surds(const Triple<mpq_class>& x) {
   return {Surd{x[0], 0}, Surd{x[1], 0}, Surd{x[2], 0}};
 }
 
+template <class Number>
+Triple<Number> minus(const Triple<Number>& x, const Triple<Number>& y) {
+  return {Number(x[0] - y[0]), Number(x[1] - y[1]), Number(x[2] - y[2])};
+}
+
 SphereMet meet(const ExactScene& scene, const reference::ExactSphere& sphere,
                const Triple<mpq_class>& D) {
-  const Triple<mpq_class> CO = scene.camera - sphere.center;
+  const Triple<mpq_class> CO = minus(scene.camera, sphere.center);
   const mpq_class a = reference::squared_length(D);
   const mpq_class b = 2 * reference::dot(CO, D);
   const mpq_class c = reference::squared_length(CO) - reference::square(sphere.radius);
@@ -69,7 +73,7 @@ class Point {
   LightMet meet(const reference::ExactLight& light) const {
     LightMet met;
     Triple<Surd> L = to_surds(light.vector);
-    if (light.is_point) L = L - P_;
+    if (light.is_point) L = minus(L, P_);
     met.L = enclose(field_, L);
     const Surd squared = field_.dot(L, L);
     if (field_.sign(squared) == 0) {

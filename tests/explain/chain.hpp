@@ -1,4 +1,5 @@
-// What is right at one pixel, step by step in the slides' letters: every number exact, or enclosed.
+// What is right at one pixel, step by step in the slides' letters: every number exact, or
+// enclosed.
 #pragma once
 
 #include <array>

@@ -90,6 +90,18 @@ TEST_CASE("a tangent ray hits, the sky is the background") {
   CHECK(decimal_text(sky.channels[0]) == "255");
 }
 
+TEST_CASE("t = 1 counts, and nothing before it") {
+  const Chain chain = certified_chain(
+      parse_scene_text("canvas_size = 2 x 2\n"
+                       "sphere { center = (0, 0, 2) radius = 1 color = (9, 9, 9) }\n"
+                       "sphere { center = (0, 0, 2) radius = 1.5 color = (9, 9, 9) }\n",
+                       "test"),
+      0, 1, 0);
+  CHECK(chain.spheres[0].counts == std::array{true, true});
+  CHECK(chain.spheres[1].counts == std::array{true, false});  // 0.5 and 3.5
+  CHECK(chain.hit.value().sphere == 1);
+}
+
 TEST_CASE("lights from behind, from the side, and at P itself") {
   const SceneText scene = parse_scene_text(
       "canvas_size = 2 x 2\n"

@@ -18,7 +18,8 @@ std::vector<std::string> conclusion(const Subject& subject, const Chain& chain,
 
 int exit_status(const Comparison& comparison);
 
-/// Two numbers with the digits that tell them apart, 7 at least: what is right, and what came.
+/// Two numbers with the digits that tell them apart, 7 at least: what is right, and what
+/// came.
 struct Pair {
   std::string right;
   std::string yours;

@@ -7,22 +7,22 @@
 namespace fos {
 namespace {
 
-constexpr int width = 32;     // of the drawing, columns; the words stand to its right
-constexpr int P_column = 14;  // a character is twice as high as wide
-constexpr double L_rows = 4;  // the length of L, in rows
+constexpr std::size_t width = 32;  // of the drawing, columns; the words stand to its right
+constexpr int P_column = 14;       // a character is twice as high as wide
+constexpr double L_rows = 4;       // the length of L, in rows
 
 /// A grid of characters, each up to a few bytes.
 class Grid {
  public:
-  explicit Grid(int rows) : cells_(static_cast<std::size_t>(rows * width), " ") {}
+  explicit Grid(int rows) : cells_(static_cast<std::size_t>(rows) * width, " ") {}
 
   void set(int row, int column, std::string_view character) {
-    cells_[static_cast<std::size_t>(row * width + column)] = character;
+    cells_[static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column)] = character;
   }
   std::string line(int row) const {
     std::string out;
-    for (int column = 0; column < width; ++column) {
-      out += cells_[static_cast<std::size_t>(row * width + column)];
+    for (std::size_t column = 0; column < width; ++column) {
+      out += cells_[static_cast<std::size_t>(row) * width + column];
     }
     return out;
   }
@@ -38,7 +38,7 @@ std::vector<std::string> draw_angle(double degrees, const std::vector<std::strin
   const int above = degrees > 90 ? 3 : 5;  // rows over the surface; N ends in the first of them
   const int below = degrees > 90 ? 5 : 1;
   Grid grid(above + 1 + below);
-  for (int column = 4; column < width - 3; ++column) grid.set(above, column, "─");
+  for (int column = P_column - 10; column < P_column + 15; ++column) grid.set(above, column, "─");
   // L first, so that N stands over it where they are one.
   constexpr int dots = 6;
   for (int i = 1; i <= dots; ++i) {

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <numeric>
 #include <set>
 
@@ -11,270 +10,82 @@
 #include "fos/text.hpp"
 #include "number_text.hpp"
 #include "page.hpp"
+#include "rows.hpp"
 #include "spheres_table.hpp"
 
 namespace fos {
 namespace {
-
-using reference::Enclosure;
-
-std::string written(const DecimalTriple& triple) {
-  return fmt::format("({}, {}, {})", triple[0].text, triple[1].text, triple[2].text);
-}
 
 std::string sphere_text(int sphere) {
   return sphere == 0 ? say(text::explain_background)
                      : say(text::explain_sphere_name, {std::to_string(sphere)});
 }
 
-std::string joined(const std::vector<std::string>& parts) {
-  std::string out;
-  for (const std::string& part : parts) out += (out.empty() ? "" : ", ") + part;
-  return out;
+void write_heading(Page& page, const Subject& subject, bool compares) {
+  const SceneText& scene = subject.scene;
+  page.line(say(text::explain_title,
+                {subject.stage.id, std::to_string(subject.column), std::to_string(subject.row),
+                 std::filesystem::path(scene.name).filename().string(),
+                 std::to_string(scene.canvas_width), std::to_string(scene.canvas_height)}));
+  if (compares) page.line(say(text::explain_legend));
+  page.line();
 }
 
-/// Writes the lines up to the first that differs.
-class Writer {
- public:
-  Writer(const Subject& subject, const Chain& chain, const std::vector<Expected>& accepted,
-         const Comparison* comparison, bool colors)
-      : subject_(subject),
-        scene_(subject.scene),
-        chain_(chain),
-        accepted_(accepted),
-        comparison_(comparison != nullptr && comparison->answered() ? comparison : nullptr),
-        page_(colors) {}
+std::string exact(const mpq_class& x) { return decimal_text(reference::Enclosure{x, x}); }
 
-  Page& operator()() {
-    heading();
-    ray();
-    if (sphere() && (!chain_.hit || subject_.stage.terms == 0 || light())) color();
-    draw();
-    return page_;
+/// What the toolkit gives to every program, and what the ray meets.
+void write_ray(Page& page, const Chain& chain) {
+  page.row("x = c - W/2", exact(chain.x), "", Mark::none);
+  page.row("y = H/2 - 1 - r", exact(chain.y), "", Mark::none);
+  page.row("D = (x Vw/W, y Vh/H, d)",
+           fmt::format("({}, {}, {})", exact(chain.D[0]), exact(chain.D[1]), exact(chain.D[2])), "",
+           Mark::none);
+  page.line();
+  write_spheres(page, chain);
+  if (!chain.hit) {
+    page.paragraph(say(text::explain_background_seen));
+  } else if (sgn(chain.spheres[static_cast<std::size_t>(chain.hit->sphere - 1)].discriminant) ==
+             0) {
+    page.paragraph(say(text::explain_tangent, {std::to_string(chain.hit->sphere)}));
   }
+}
 
- private:
-  void heading() {
-    page_.line(
-        say(text::explain_title,
-            {subject_.stage.id, std::to_string(subject_.column), std::to_string(subject_.row),
-             std::filesystem::path(scene_.name).filename().string(),
-             std::to_string(scene_.canvas_width), std::to_string(scene_.canvas_height)}));
-    if (comparison_ != nullptr) page_.line(say(text::explain_legend));
-    page_.line();
+/// What else than the exact answer is right.
+void write_accepted(Page& page, const std::vector<Expected>& accepted) {
+  if (accepted.empty()) page.paragraph(say(text::explain_not_judged));
+  std::set<int> spheres;
+  std::string names;
+  for (const Expected& each : accepted) {
+    if (!spheres.insert(each.sphere).second) continue;
+    names += (names.empty() ? "" : ", ") + sphere_text(each.sphere);
   }
+  if (spheres.size() > 1) page.paragraph(say(text::explain_either, {names}));
+}
 
-  void ray() {
-    page_.row("x = c - W/2", decimal_text(chain_.x), "", Mark::none);
-    page_.row("y = H/2 - 1 - r", decimal_text(chain_.y), "", Mark::none);
-    page_.row(
-        "D = (x Vw/W, y Vh/H, d)",
-        fmt::format("({}, {}, {})", exact(chain_.D[0]), exact(chain_.D[1]), exact(chain_.D[2])), "",
-        Mark::none);
-    page_.line();
-    write_spheres(page_, chain_);
-    if (chain_.hit) {
-      const auto seen = static_cast<std::size_t>(chain_.hit->sphere - 1);
-      if (sgn(chain_.spheres[seen].discriminant) == 0) {
-        page_.paragraph(say(text::explain_tangent, {std::to_string(chain_.hit->sphere)}));
-      }
-    } else {
-      page_.paragraph(say(text::explain_background_seen));
-    }
-    std::set<int> spheres;
-    std::vector<std::string> names;
-    for (const Expected& each : accepted_) {
-      if (spheres.insert(each.sphere).second) names.push_back(sphere_text(each.sphere));
-    }
-    if (accepted_.empty()) page_.paragraph(say(text::explain_not_judged));
-    if (names.size() > 1) page_.paragraph(say(text::explain_either, {joined(names)}));
-    page_.line();
+/// The light whose term differs, else the brightest of the stage's.
+const LightMet* drawn_light(const Subject& subject, const Chain& chain,
+                            const std::optional<Difference>& difference) {
+  const bool at_light = difference && difference->line == Line::light;
+  const bool shows = !difference || at_light || difference->line == Line::sum;
+  if (!chain.hit || !shows) return nullptr;
+  const LightMet* drawn = nullptr;
+  for (const LightMet& met : chain.hit->lights) {
+    if (!is_term(subject.stage, subject.scene.lights[met.index].kind)) continue;
+    if (at_light && difference->light != met.index) continue;
+    if (met.shine == Shine::at_P) continue;
+    if (drawn == nullptr || met.term.low > drawn->term.high) drawn = &met;
   }
+  return drawn;
+}
 
-  static std::string exact(const mpq_class& x) { return decimal_text(Enclosure{x, x}); }
-
-  bool differs_at(Line line) const {
-    return comparison_ != nullptr && comparison_->difference &&
-           comparison_->difference->line == line;
-  }
-
-  /// What does not show from outside.
-  void unseen(std::string_view name, std::string_view value) {
-    page_.row(name, value, "", comparison_ != nullptr ? Mark::unseen : Mark::none);
-  }
-
-  /// A row of I or a term of it. Returns whether the next may follow.
-  bool number(std::string_view name, const Enclosure& right, const std::string& right_text,
-              const Question* question, bool differs) {
-    if (comparison_ == nullptr) {
-      page_.row(name, right_text, "", Mark::none);
-    } else if (question == nullptr || (!question->I && !differs)) {
-      page_.row(name, right_text, "", Mark::unseen);
-    } else if (!question->I) {
-      page_.row(name, right_text, "?", Mark::different);
-    } else if (differs) {
-      const Pair pair = told_apart(right, *question->I);
-      page_.row(name, right_text == decimal_text(right) ? pair.right : right_text, pair.yours,
-                Mark::different);
-    } else {
-      const std::string yours = decimal_text(question->I->value);
-      page_.row(name, right_text,
-                question->I->at_least ? say(text::explain_at_least, {yours}) : yours,
-                question->standing == Standing::not_judged ? Mark::open : Mark::same);
-    }
-    return !differs;
-  }
-
-  bool sphere() {
-    if (comparison_ != nullptr) {
-      page_.row("", say(text::explain_heading_right), " " + say(text::explain_heading_yours),
-                Mark::none);
-    }
-    const int right = chain_.hit ? chain_.hit->sphere : 0;
-    const std::string name =
-        chain_.hit ? fmt::format("{}  {}", right,
-                                 written(scene_.spheres[static_cast<std::size_t>(right - 1)].color))
-                   : sphere_text(0);
-    const bool differs = differs_at(Line::sphere);
-    if (comparison_ == nullptr || !comparison_->sphere) {
-      unseen(say(text::explain_sphere), name);
-    } else {
-      const int yours = *comparison_->sphere;
-      page_.row(say(text::explain_sphere), name,
-                yours == 0 ? sphere_text(0) : std::to_string(yours),
-                differs ? Mark::different : Mark::same);
-    }
-    if (differs || !chain_.hit) return !differs;
-    unseen(chain_.hit->root == 0 ? "t = t1" : "t = t2", decimal_text(chain_.hit->t));
-    unseen("P = O + tD", triple_text(chain_.hit->P));
-    unseen("N = CP/|CP|", triple_text(chain_.hit->N));
-    if (subject_.stage.terms == 0) {
-      page_.line();
-      page_.paragraph(say(text::explain_no_light));
-    }
-    return true;
-  }
-
-  bool light() {
-    page_.line();
-    Enclosure I_A{0, 0};
-    std::string I_A_text = say(text::explain_no_ambient);
-    for (const LightText& light : scene_.lights) {
-      if (light.kind != LightKind::ambient) continue;
-      I_A.low = I_A.high = reference::to_exact(light.intensity);
-      I_A_text = decimal_text(I_A);
-    }
-    const Question* ambient =
-        comparison_ != nullptr && comparison_->ambient ? &*comparison_->ambient : nullptr;
-    if (!number(say(text::explain_I_A), I_A, I_A_text, ambient, differs_at(Line::ambient))) {
-      return false;
-    }
-    std::vector<std::string> others;
-    for (const LightMet& met : chain_.hit->lights) {
-      const bool differs = differs_at(Line::light) && comparison_->difference->light == met.index;
-      if (is_term(subject_.stage, scene_.lights[met.index].kind)) {
-        if (!term(met, differs)) return false;
-      } else if (differs) {
-        return number(say(text::explain_other_light, {std::to_string(met.index + 1)}), {0, 0}, "0",
-                      question(met), true);
-      } else {
-        others.push_back(say(text::explain_light_name, {std::to_string(met.index + 1)}));
-      }
-    }
-    page_.line();
-    if (!others.empty()) page_.paragraph(say(text::explain_other_lights, {joined(others)}));
-    return number(say(text::explain_I), chain_.I, decimal_text(chain_.I),
-                  comparison_ != nullptr ? &comparison_->whole() : nullptr, differs_at(Line::sum));
-  }
-
-  const Question* question(const LightMet& met) const {
-    if (comparison_ == nullptr || !comparison_->lights[met.index]) return nullptr;
-    return &*comparison_->lights[met.index];
-  }
-
-  bool term(const LightMet& met, bool differs) {
-    const LightText& light = scene_.lights[met.index];
-    const bool is_point = light.kind == LightKind::point;
-    const std::string number_text = std::to_string(met.index + 1);
-    page_.line();
-    page_.line(say(is_point ? text::explain_point_light : text::explain_directional_light,
-                   {number_text, light.intensity.text, written(light.vector)}));
-    unseen(say(is_point ? text::explain_point_L : text::explain_directional_L), triple_text(met.L));
-    std::string right = decimal_text(met.term);
-    if (met.shine == Shine::at_P) {
-      right = say(text::explain_at_P);
-    } else {
-      unseen("⟨N,L⟩", decimal_text(met.N_dot_L));
-      unseen("|L|", decimal_text(met.L_length));
-      unseen("cos = ⟨N,L⟩/(|N||L|)",
-             fmt::format("{}  ({}°)", decimal_text(met.cosine), decimal_text(met.degrees, 4)));
-      if (met.shine == Shine::behind) right = say(text::explain_behind);
-      if (met.shine == Shine::grazing) right = say(text::explain_grazing);
-    }
-    return number("I_" + number_text + " cos", met.term, right, question(met), differs);
-  }
-
-  void color() {
-    const bool differs = differs_at(Line::color);
-    const bool flat = !chain_.hit || subject_.stage.terms == 0;
-    const std::string name = say(flat ? text::explain_flat_color : text::explain_color);
-    const auto& [r, g, b] = chain_.bytes;
-    const std::string bytes = fmt::format("{} {} {}", r, g, b);
-    if (comparison_ == nullptr) {
-      page_.row(name, triple_text(chain_.channels), "", Mark::none);
-      page_.row(say(text::explain_byte), bytes, "", Mark::none);
-      return;
-    }
-    const Question& whole = comparison_->whole();
-    const Channels& yours = whole.given.channels;
-    const Mark mark = differs                                  ? Mark::different
-                      : whole.standing == Standing::not_judged ? Mark::open
-                                                               : Mark::same;
-    page_.row(name, triple_text(chain_.channels), "", Mark::none);
-    page_.row(say(text::explain_your_color), triple_text(yours), "", mark);
-    if (differs) return;
-    page_.row(say(text::explain_byte), bytes,
-              fmt::format("{} {} {}", to_byte(yours[0]), to_byte(yours[1]), to_byte(yours[2])),
-              mark);
-  }
-
-  /// The light whose term differs, else the brightest of the stage's.
-  const LightMet* drawn() const {
-    if (!chain_.hit || (comparison_ != nullptr && comparison_->difference &&
-                        comparison_->difference->line != Line::light &&
-                        comparison_->difference->line != Line::sum)) {
-      return nullptr;
-    }
-    const LightMet* drawn = nullptr;
-    for (const LightMet& met : chain_.hit->lights) {
-      if (!is_term(subject_.stage, scene_.lights[met.index].kind)) continue;
-      if (differs_at(Line::light) && comparison_->difference->light != met.index) continue;
-      if (met.shine == Shine::at_P) continue;
-      if (drawn == nullptr || met.term.low > drawn->term.high) drawn = &met;
-    }
-    return drawn;
-  }
-
-  void draw() {
-    const LightMet* met = drawn();
-    if (met == nullptr) return;
-    page_.line();
-    for (const std::string& line :
-         draw_angle(met->degrees.low.get_d(),
-                    {say(text::explain_drawing_title, {std::to_string(met->index + 1)}),
-                     say(text::explain_drawing_angle,
-                         {decimal_text(met->degrees, 4), decimal_text(met->cosine, 4)})})) {
-      page_.line(line);
-    }
-  }
-
-  const Subject& subject_;
-  const SceneText& scene_;
-  const Chain& chain_;
-  const std::vector<Expected>& accepted_;
-  const Comparison* comparison_;
-  Page page_;
-};
+void write_drawing(Page& page, const LightMet& met) {
+  page.line();
+  const std::vector<std::string> words{
+      say(text::explain_drawing_title, {std::to_string(met.index + 1)}),
+      say(text::explain_drawing_angle,
+          {decimal_text(met.degrees, 4), decimal_text(met.cosine, 4)})};
+  for (const std::string& line : draw_angle(met.degrees.low.get_d(), words)) page.line(line);
+}
 
 }  // namespace
 
@@ -301,21 +112,27 @@ Explanation explain(const Subject& subject, const std::optional<std::filesystem:
           ? comparison->whole().expected
           : right.judge(all, subject.stage.terms).expected({0, 0}, reference::Precision::double53);
 
-  Explanation out;
-  Writer writer(subject, chain, accepted, comparison ? &*comparison : nullptr, colors);
-  Page& page = writer();
+  // What is not there, or not written, has nothing to compare.
+  const Comparison* compared = comparison && comparison->answered() ? &*comparison : nullptr;
+  Page page(colors);
+  write_heading(page, subject, compared != nullptr);
+  write_ray(page, chain);
+  write_accepted(page, accepted);
+  page.line();
+  write_rows(page, subject, chain, compared);
+  if (const LightMet* met =
+          drawn_light(subject, chain, compared != nullptr ? compared->difference : std::nullopt)) {
+    write_drawing(page, *met);
+  }
   page.line();
   if (!comparison) {
     page.paragraph(say(text::explain_only_right));
-  } else {
-    for (const std::string& sentence : conclusion(subject, chain, *comparison)) {
-      page.paragraph(sentence);
-    }
-    out.words = comparison->alone.given.words;
-    out.status = exit_status(*comparison);
+    return {page.text(), "", 0};
   }
-  out.text = page.text();
-  return out;
+  for (const std::string& sentence : conclusion(subject, chain, *comparison)) {
+    page.paragraph(sentence);
+  }
+  return {page.text(), comparison->alone.given.words, exit_status(*comparison)};
 }
 
 }  // namespace fos

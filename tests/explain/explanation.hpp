@@ -20,14 +20,14 @@ struct Subject {
 struct Explanation {
   std::string text;   ///< for standard output
   std::string words;  ///< what the program said on standard error
-  /// 0 yours is right, or there is no program; 1 it is not, or gave no answer; 2 it does not bear
-  /// the scene; 3 it does not start.
+  /// 0 yours is right, or there is no program; 1 it is not, or gave no answer; 2 it does not
+  /// bear the scene; 3 it does not start.
   int status = 0;
 };
 
-/// Lines of 80 columns at most, up to the first that differs; then a drawing and what can be said
-/// of it. Without a program, what is right alone. Throws std::range_error for numbers beyond
-/// 10^±10000, reference::UndecidedError.
+/// Lines of 80 columns at most, up to the first that differs; then a drawing and what can be
+/// said of it. Without a program, what is right alone. Throws std::range_error for numbers
+/// beyond 10^±10000, reference::UndecidedError.
 Explanation explain(const Subject& subject, const std::optional<std::filesystem::path>& program,
                     bool colors);
 

@@ -5,34 +5,12 @@
 #include <optional>
 #include <vector>
 
-#include "asked.hpp"
 #include "chain.hpp"
 #include "fos/stage_list.hpp"
-#include "hue.hpp"
+#include "question.hpp"
 #include "right_answers.hpp"
 
 namespace fos {
-
-/// How an answer stands to the right ones (judge.hpp has the rule).
-enum class Standing {
-  right,
-  float_only,  ///< right to float precision only
-  not_judged,  ///< rounding may change the answer by any amount
-  wrong,
-  not_finite,
-  unwritten,
-  no_answer,  ///< the program crashed, took too long, …
-};
-
-/// One scene that the program was asked about, and what it gave for the pixel.
-struct Question {
-  Given given;
-  Standing standing = Standing::no_answer;
-  std::vector<Expected> expected;  ///< the right answers, the exact one first
-  std::optional<SeenI> I;  ///< where the color is a multiple of that of the sphere in question
-
-  bool differs() const { return standing >= Standing::wrong; }
-};
 
 /// The lines of the chain that show from outside, in this order.
 enum class Line { sphere, ambient, light, sum, color };
@@ -72,8 +50,8 @@ struct Comparison {
   std::optional<Question> ambient;              ///< the ambient light and no other
   std::vector<std::optional<Question>> lights;  ///< each light and no other, by its index
   Hue hue;                                      ///< of what told the sphere
-  /// The sphere that the program sees as far as its color tells; 0: the background; nothing: the
-  /// color is no sphere's, or there was no answer.
+  /// The sphere that the program sees as far as its color tells; 0: the background; nothing:
+  /// the color is no sphere's, or there was no answer.
   std::optional<int> sphere;
   bool depends = false;  ///< the ray has another answer alone than in the picture
   std::optional<Difference> difference;

@@ -18,8 +18,8 @@ long double largest(const Channels& channels) {
   return std::max({std::abs(channels[0]), std::abs(channels[1]), std::abs(channels[2])});
 }
 
-/// How far right programs of any precision may be from a multiple of the color, and far less than
-/// what tells two colors apart.
+/// How far right programs of any precision may be from a multiple of the color, and far less
+/// than what tells two colors apart.
 long double room(const Channels& channels) {
   return are_whole(channels) ? 1 : 1e-4L * largest(channels);
 }

@@ -21,9 +21,9 @@ struct Hue {
   }
 };
 
-/// `channels` are finite. Without light (the stage has no terms) only the color itself fits. A
-/// channel above 255 fits one that is cut off there; whole numbers fit what they may be rounded
-/// from.
+/// `channels` are finite. Without light (the stage has no terms) only the color itself fits.
+/// A channel above 255 fits one that is cut off there; whole numbers fit what they may be
+/// rounded from.
 Hue hue_of(const Channels& channels, const SceneText& scene, bool with_light);
 
 /// The I of a pixel of this color.

@@ -1,13 +1,14 @@
-// A stage may print. While it is asked a dozen questions about one pixel, nobody wants to read
-// that.
+// A stage may print. While it is asked a dozen questions about one pixel, nobody wants to
+// read that.
 #pragma once
 
 #include <string>
 
 namespace fos {
 
-/// While one lives, what is printed on standard output goes nowhere, and of standard error the
-/// first 64 KiB are kept: by this process, and by those that it starts meanwhile. One at a time.
+/// While one lives, what is printed on standard output goes nowhere, and of standard error
+/// the first 64 KiB are kept: by this process, and by those that it starts meanwhile. One at
+/// a time.
 class Hushed {
  public:
   Hushed();

@@ -15,9 +15,9 @@ std::string decimal_text(const mpq_class& x, int digits = shown_digits);
 /// The same of a program's number; `NaN`, `inf`.
 std::string decimal_text(long double x, int digits = shown_digits);
 
-/// The number that is enclosed, correctly rounded; with fewer digits where the enclosure decides
-/// only those. Zeros at the end are dropped only where the number ends there: `2.4` is exact,
-/// `2.400000` is rounded. `digits` >= 1.
+/// The number that is enclosed, correctly rounded; with fewer digits where the enclosure
+/// decides only those. Zeros at the end are dropped only where the number ends there: `2.4`
+/// is exact, `2.400000` is rounded. `digits` >= 1.
 std::string decimal_text(const reference::Enclosure& x, int digits = shown_digits);
 
 /// `(x, y, z)`.

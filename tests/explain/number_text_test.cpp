@@ -76,7 +76,8 @@ TEST_CASE("numbers with a root in them are exact where they can be") {
   CHECK(two.sign(y - Surd{1, 0}) == 0);
   const SurdField nine_quarters(mpq_class(9, 4));
   CHECK(decimal_text(nine_quarters.enclose(nine_quarters.number(1, -1))) == "-0.5");
-  // 99 - 70 √2 = 0.0050506…: two digits are lost, and all that are shown are right all the same.
+  // 99 - 70 √2 = 0.0050506…: two digits are lost, and all that are shown are right all the
+  // same.
   CHECK(decimal_text(two.enclose(two.number(99, -70))) == "0.005050634");
 }
 

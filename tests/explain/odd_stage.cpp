@@ -1,5 +1,5 @@
-// A stage program that is wrong in ways that are no formula: FOS_ODD names one. Its picture is that
-// of no light, the colors as they are.
+// A stage program that is wrong in ways that are no formula: FOS_ODD names one. Its picture
+// is that of no light, the colors as they are.
 #include <csignal>
 #include <cstdlib>
 #include <iostream>

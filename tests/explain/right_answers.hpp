@@ -1,5 +1,5 @@
-// What a program may answer at one pixel, by the same rule as for whole frames (judge.hpp): for a
-// scene, and for the same scene with some of its lights only.
+// What a program may answer at one pixel, by the same rule as for whole frames (judge.hpp):
+// for a scene, and for the same scene with some of its lights only.
 #pragma once
 
 #include <span>

@@ -30,8 +30,8 @@ struct Side {
 
 /// A side one of whose pixels has this component of D. It is
 ///   k viewport / pixels  with k = -1/2 of 1 pixel, 0 of 2, 1 of 4:
-/// products and quotients by powers of two, so that nothing is rounded. Where the pixels with k = 0
-/// and 1 are hangs on the direction in which they are counted.
+/// products and quotients by powers of two, so that nothing is rounded. Where the pixels with
+/// k = 0 and 1 are hangs on the direction in which they are counted.
 Side side(double along, int at_0_of_2, int at_1_of_4) {
   if (along < 0) return {1, 0, parse_decimal(fmt::format("{}", -2 * along))};
   if (along > 0) return {4, at_1_of_4, parse_decimal(fmt::format("{}", 4 * along))};

@@ -15,7 +15,8 @@ std::string source_of(const SceneText& scene);
 /// The scene with these of its lights (indices, rising) and no others; its source too.
 SceneText with_lights(const SceneText& scene, std::span<const std::size_t> lights);
 
-/// A scene on a canvas of at most 4 x 4 pixels, one of which sees what a pixel of another saw.
+/// A scene on a canvas of at most 4 x 4 pixels, one of which sees what a pixel of another
+/// saw.
 struct OneRay {
   SceneText scene;
   int column = 0;
@@ -23,8 +24,8 @@ struct OneRay {
 };
 
 /// The scene with a canvas and a viewport such that one pixel has the D of (column, row) in
-/// `scene`: the very same doubles. Few other rays are computed with it: what matters is one pixel,
-/// and a large picture would be made only to be thrown away.
+/// `scene`: the very same doubles. Few other rays are computed with it: what matters is one
+/// pixel, and a large picture would be made only to be thrown away.
 OneRay one_ray(const SceneText& scene, int column, int row);
 
 }  // namespace fos

@@ -1,7 +1,7 @@
 // Numbers a + b √s with rational a and b, all over the same s: exact.
 //
-// With s the discriminant of the sphere that a ray hits, t is one of them, and so is all that comes
-// of it by sums and products: P, N, L, <N, L>, |L|².
+// With s the discriminant of the sphere that a ray hits, t is one of them, and so is all that
+// comes of it by sums and products: P, N, L, <N, L>, |L|².
 #pragma once
 
 #include <gmpxx.h>
@@ -16,7 +16,8 @@ struct Surd {
   mpq_class b;
 };
 
-/// The numbers over one s >= 0. Where √s is rational every b is 0, so that what is rational shows.
+/// The numbers over one s >= 0. Where √s is rational every b is 0, so that what is rational
+/// shows.
 class SurdField {
  public:
   explicit SurdField(mpq_class s);

@@ -26,7 +26,8 @@ inline std::vector<SceneText> all_scenes() {
   return scenes;
 }
 
-/// Calls `look(column, row)` for some thousand pixels of a scene, in every part of the canvas.
+/// Calls `look(column, row)` for some thousand pixels of a scene, in every part of the
+/// canvas.
 template <class Look>
 void for_some_pixels(const SceneText& scene, int about, const Look& look) {
   const int pixels = scene.canvas_width * scene.canvas_height;

@@ -16,7 +16,7 @@ namespace {
 /// More alternatives than this say nothing.
 constexpr std::size_t most_alternatives = 3;
 
-using Alternative = std::vector<Finding>;
+using Alternative = std::vector<MistakeMade>;
 
 std::vector<Mistake> finishing(const Stage& stage) {
   std::vector<Mistake> mistakes;
@@ -53,6 +53,7 @@ Alternative alternative(const Plane& plane, const MistakeSet& finish) {
 /// What explains the frames of the base scenes with the fewest mistakes.
 struct Match {
   bool right = false;
+  bool too_many = false;  ///< so many that they say nothing
   std::vector<Alternative> alternatives;
   bool known() const { return right || !alternatives.empty(); }
 };
@@ -81,7 +82,8 @@ Match match(const Stage& stage, std::span<const Frame> frames) {
       }
     }
   }
-  if (match.alternatives.size() > most_alternatives) match.alternatives.clear();
+  match.too_many = match.alternatives.size() > most_alternatives;
+  if (match.too_many) match.alternatives.clear();
   return match;
 }
 
@@ -89,17 +91,17 @@ Match match(const Stage& stage, std::span<const Frame> frames) {
 Diagnosis settle(std::vector<Alternative> alternatives) {
   Diagnosis diagnosis;
   if (alternatives.empty()) return diagnosis;
-  const auto in_all = [&](const Finding& finding) {
+  const auto in_all = [&](const MistakeMade& finding) {
     return std::all_of(alternatives.begin(), alternatives.end(), [&](const Alternative& each) {
       return std::find(each.begin(), each.end(), finding) != each.end();
     });
   };
-  for (const Finding& finding : alternatives.front()) {
+  for (const MistakeMade& finding : alternatives.front()) {
     if (in_all(finding)) diagnosis.certain.push_back(finding);
   }
   if (alternatives.size() == 1) return diagnosis;
   for (Alternative& each : alternatives) {
-    std::erase_if(each, [&](const Finding& finding) {
+    std::erase_if(each, [&](const MistakeMade& finding) {
       return std::find(diagnosis.certain.begin(), diagnosis.certain.end(), finding) !=
              diagnosis.certain.end();
     });
@@ -137,29 +139,28 @@ bool adds_up(std::span<const Frame> frames, std::size_t scenes) {
   return true;
 }
 
-/// Where a mistake that shows in the lights of one kind only is made. What the catalogue has for one
-/// kind alone says so itself; P and N are the same for both, so there it is no explanation.
-std::optional<Finding> only_in(const Finding& finding, Where where) {
+/// Where a mistake that shows in the lights of one kind only is made. What the catalogue has for
+/// one kind alone says so itself; P and N are the same for both, so there it is no explanation.
+std::optional<MistakeMade> only_in(const MistakeMade& finding, Where where) {
   const Misconception& mistake = misconception(finding.mistake);
   if (mistake.slot == Slot::P || mistake.slot == Slot::N || mistake.slot == Slot::call) return {};
   const bool for_one_kind =
       (mistake.stages & in_point) == 0 || (mistake.stages & in_directional) == 0;
-  return Finding{finding.mistake, for_one_kind ? Where::everywhere : where};
+  return MistakeMade{finding.mistake, for_one_kind ? Where::everywhere : where};
 }
 
 /// A mistake that both kinds of lights show is made everywhere. Nothing where it cannot be.
 std::optional<Alternative> both(const Alternative& point, const Alternative& directional) {
   Alternative mistakes;
-  const auto has = [](const Alternative& alternative, const Finding& finding) {
+  const auto has = [](const Alternative& alternative, const MistakeMade& finding) {
     return std::find(alternative.begin(), alternative.end(), finding) != alternative.end();
   };
-  for (const Finding& finding : point) {
-    const auto where =
-        has(directional, finding) ? finding : only_in(finding, Where::point_lights);
+  for (const MistakeMade& finding : point) {
+    const auto where = has(directional, finding) ? finding : only_in(finding, Where::point_lights);
     if (!where) return std::nullopt;
     mistakes.push_back(*where);
   }
-  for (const Finding& finding : directional) {
+  for (const MistakeMade& finding : directional) {
     if (has(point, finding)) continue;
     const auto where = only_in(finding, Where::directional_lights);
     if (!where) return std::nullopt;
@@ -194,16 +195,16 @@ std::vector<Alternative> by_kind(std::span<const Frame> frames) {
   return alternatives;
 }
 
-std::string where(const Finding& finding) {
+std::string where(const MistakeMade& finding) {
   const std::string name = say(misconception(finding.mistake).name);
   if (finding.where == Where::point_lights) return say(text::diagnosis_point, {name});
   if (finding.where == Where::directional_lights) return say(text::diagnosis_directional, {name});
   return name;
 }
 
-void add_words(std::vector<std::string>& lines, const std::vector<Finding>& findings,
+void add_words(std::vector<std::string>& lines, const std::vector<MistakeMade>& findings,
                const std::string& indent) {
-  for (const Finding& finding : findings) {
+  for (const MistakeMade& finding : findings) {
     const Misconception& mistake = misconception(finding.mistake);
     lines.push_back(indent + where(finding));
     lines.push_back(indent + "  " + say(mistake.question));
@@ -226,18 +227,34 @@ const StageMistakes& mistakes_of(const Stage& stage) {
 
 Diagnosis diagnose(const Stage& stage, std::span<const Frame> frames) {
   const Match whole = match(stage, frames);
-  if (whole.right) return {};
+  if (whole.right || whole.too_many) return {};
   if (whole.known()) return settle(whole.alternatives);
   if (frames.size() > base_scenes().size()) return settle(by_kind(frames));
   return {};
+}
+
+std::string names(const Diagnosis& diagnosis) {
+  std::string words;
+  const auto add = [&](std::string_view before, const MistakeMade& made) {
+    words.append(words.empty() ? "" : before).append(where(made));
+  };
+  for (const MistakeMade& made : diagnosis.certain) add("; ", made);
+  for (std::size_t i = 0; i < diagnosis.one_of.size(); ++i) {
+    std::string before = i == 0 ? "; " : " " + say(text::diagnosis_or) + " ";
+    for (const MistakeMade& made : diagnosis.one_of[i]) {
+      add(before, made);
+      before = " + ";
+    }
+  }
+  return words;
 }
 
 std::vector<std::string> describe(const Diagnosis& diagnosis) {
   std::vector<std::string> lines;
   add_words(lines, diagnosis.certain, "");
   if (diagnosis.one_of.empty()) return lines;
-  lines.push_back(say(diagnosis.certain.empty() ? text::diagnosis_one_of
-                                                : text::diagnosis_and_one_of));
+  lines.push_back(
+      say(diagnosis.certain.empty() ? text::diagnosis_one_of : text::diagnosis_and_one_of));
   for (std::size_t i = 0; i < diagnosis.one_of.size(); ++i) {
     if (i > 0) lines.push_back(say(text::diagnosis_or));
     add_words(lines, diagnosis.one_of[i], "  ");

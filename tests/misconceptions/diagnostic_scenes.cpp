@@ -21,8 +21,8 @@ SceneText with_lights(const SceneText& scene, const std::function<bool(std::size
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     if (kept(i)) continue;
     const std::size_t begin = offset(source, scene.lights[i].place);
-    source.replace(begin, source.find('}', begin) + 1 - begin,
-                   source.find('}', begin) + 1 - begin, ' ');
+    source.replace(begin, source.find('}', begin) + 1 - begin, source.find('}', begin) + 1 - begin,
+                   ' ');
   }
   return parse_scene_text(source, scene.name);
 }
@@ -56,9 +56,8 @@ std::vector<SceneText> diagnostic_scenes(const Stage& stage) {
   std::vector<SceneText> scenes = base_scenes();
   constexpr unsigned both = point_term | directional_term;
   if ((stage.terms & both) != both) return scenes;
-  for (const unsigned terms : std::array<unsigned, 3>{ambient_term | point_term,
-                                                      ambient_term | directional_term,
-                                                      ambient_term}) {
+  for (const unsigned terms : std::array<unsigned, 3>{
+           ambient_term | point_term, ambient_term | directional_term, ambient_term}) {
     for (const SceneText& scene : base_scenes()) {
       scenes.push_back(with_lights(
           scene, [&](std::size_t i) { return (terms & term_of(scene.lights[i].kind)) != 0; }));

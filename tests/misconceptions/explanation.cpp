@@ -85,29 +85,28 @@ bool Explainer::fits(std::size_t pixel, std::size_t sphere, double low, double h
   return true;
 }
 
-bool Explainer::explains(const Plane& plane, const MistakeSet& finish,
-                         const Evidence& evidence) const {
+bool Explainer::fits(std::size_t pixel, std::uint16_t symbol, const MistakeSet& finish,
+                     const Evidence& evidence) const {
+  const std::size_t sphere = mistakes_.has_light ? mistakes_.spheres[pixel] : symbol;
+  const bool is_lit = mistakes_.has_light && sphere != 0;
+  if (is_lit && symbol == not_a_number_code) return !evidence.finite(pixel);
+  const LightCell cell = is_lit ? light_cell(symbol) : LightCell{1, 1};
+  return evidence.finite(pixel) &&
+         fits(pixel, sphere, cell.low, cell.high, finish, evidence.pixel(pixel));
+}
+
+std::size_t Explainer::misses(const Plane& plane, const MistakeSet& finish,
+                              const Evidence& evidence, std::size_t enough) const {
+  std::size_t misses = 0;
   auto skipped = plane.not_compared.begin();
-  for (std::size_t i = 0; i < evidence.size(); ++i) {
+  for (std::size_t i = 0; i < evidence.size() && misses < enough; ++i) {
     if (skipped != plane.not_compared.end() && *skipped == i) {
       ++skipped;
-      continue;
-    }
-    const std::uint16_t symbol = plane.symbols[i];
-    const std::size_t sphere = mistakes_.has_light ? mistakes_.spheres[i] : symbol;
-    if (!mistakes_.has_light || sphere == 0) {
-      if (!evidence.finite(i) || !fits(i, sphere, 1, 1, finish, evidence.pixel(i))) return false;
-    } else if (symbol == not_a_number_code) {
-      if (evidence.finite(i)) return false;
     } else {
-      const LightCell cell = light_cell(symbol);
-      if (!evidence.finite(i) ||
-          !fits(i, sphere, cell.low, cell.high, finish, evidence.pixel(i))) {
-        return false;
-      }
+      misses += fits(i, plane.symbols[i], finish, evidence) ? 0 : 1;
     }
   }
-  return true;
+  return misses;
 }
 
 }  // namespace fos

@@ -34,9 +34,20 @@ class Explainer {
   /// Keeps a reference to the mistakes.
   explicit Explainer(const StageMistakes& mistakes);
 
+  /// How many of the pixels that are compared do not look as a plane has them, with these mistakes
+  /// of the ending and the background as well; it stops counting at `enough`.
+  std::size_t misses(const Plane& plane, const MistakeSet& finish, const Evidence& evidence,
+                     std::size_t enough) const;
+
   /// Whether a plane, with these mistakes of the ending and the background as well, gives the
   /// evidence at every pixel that is compared.
-  bool explains(const Plane& plane, const MistakeSet& finish, const Evidence& evidence) const;
+  bool explains(const Plane& plane, const MistakeSet& finish, const Evidence& evidence) const {
+    return misses(plane, finish, evidence, 1) == 0;
+  }
+
+  /// Whether a pixel looks as its symbol in a plane says.
+  bool fits(std::size_t pixel, std::uint16_t symbol, const MistakeSet& finish,
+            const Evidence& evidence) const;
 
   /// Whether a pixel that sees `sphere` of its scene with `I` in [low, high] may look like this.
   bool fits(std::size_t pixel, std::size_t sphere, double low, double high,

@@ -1,7 +1,7 @@
 // The light I of a pixel as a small whole number: what the data hold.
 //
-// A code stands for a cell of values: 1/512 wide up to |I| = 1 and 1/512 of I above, about a quarter
-// of a percent. Beyond |I| = 18 every color shows as white or black, and all is one cell.
+// A code stands for a cell of values: 1/512 wide up to |I| = 1 and 1/512 of I above, about a
+// quarter of a percent. Beyond |I| = 18 every color shows as white or black, and all is one cell.
 #pragma once
 
 #include <cstdint>

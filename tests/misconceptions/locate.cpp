@@ -69,7 +69,8 @@ class Chain {
  private:
   std::size_t sphere(std::size_t pixel) const { return data_.spheres[pixel]; }
 
-  /// The sphere whose color a pixel has, times some I in a stage with light; its own if that is one.
+  /// The sphere whose color a pixel has, times some I in a stage with light; its own if that is
+  /// one.
   std::optional<std::size_t> seen(std::size_t pixel) const {
     const auto has_color_of = [&](std::size_t other) {
       const Channels& color = explainer_.color(pixel, other);
@@ -131,8 +132,7 @@ class Chain {
     }
     // In a few pixels another color may happen to fit: what most of them show decides.
     if (other_color > missed + other_sphere) {
-      return Location{Link::colors,
-                      {say(text::locate_colors, {number(other_color), number(all)})}};
+      return Location{Link::colors, {say(text::locate_colors, {number(other_color), number(all)})}};
     }
     if (found.words.empty()) return std::nullopt;
     return found;
@@ -220,8 +220,8 @@ class Chain {
         }
       }
     }
-    const std::string name = say(kind == LightKind::point ? text::locate_point_lights
-                                                          : text::locate_directional_lights);
+    const std::string name =
+        say(kind == LightKind::point ? text::locate_point_lights : text::locate_directional_lights);
     Location found{Link::behind, {}};
     if (from_behind > 0) {
       found.words.push_back(

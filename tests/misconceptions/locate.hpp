@@ -1,5 +1,5 @@
-// Where nothing is named: at which link the chain from the ray to the color first goes wrong, as far
-// as pixels can show it.
+// Where nothing is named: at which link the chain from the ray to the color first goes wrong, as
+// far as pixels can show it.
 #pragma once
 
 #include <span>

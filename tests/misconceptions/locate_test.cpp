@@ -20,8 +20,8 @@ const Stage& stage_named(std::string_view id) {
 
 /// What a mistake of the tracer shows, its pixels changed afterwards.
 using Change = std::function<void(Frame&)>;
-Location located(std::string_view stage_id, const MistakeSet& mistakes,
-                 const Change& change = [](Frame&) {}) {
+Location located(
+    std::string_view stage_id, const MistakeSet& mistakes, const Change& change = [](Frame&) {}) {
   const Stage& stage = stage_named(stage_id);
   const auto frame_of = [&](const SceneText& scene) {
     Frame frame = mistaken_frame(SceneAt<double>(scene), stage.terms, mistakes);

@@ -1,5 +1,5 @@
-// Makes the data: runs the tracer that makes mistakes over the diagnostic scenes. What a check links
-// has none of it.
+// Makes the data: runs the tracer that makes mistakes over the diagnostic scenes. What a check
+// links has none of it.
 #pragma once
 
 #include "fos/stage_list.hpp"

@@ -16,8 +16,7 @@ constexpr std::uint16_t none = 0xffff;
 constexpr unsigned char escape = 0xff;
 
 unsigned long checksum(unsigned long sum, std::string_view bytes) {
-  return crc32(sum, reinterpret_cast<const Bytef*>(bytes.data()),
-               static_cast<uInt>(bytes.size()));
+  return crc32(sum, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size()));
 }
 
 unsigned long scenes_checksum(const std::vector<SceneText>& scenes) {
@@ -29,8 +28,8 @@ unsigned long scenes_checksum(const std::vector<SceneText>& scenes) {
 unsigned long catalogue_checksum() {
   unsigned long sum = 0;
   for (const Misconception& each : misconceptions()) {
-    sum = checksum(sum, fmt::format("{} {} {};", each.id, static_cast<int>(each.slot),
-                                    each.stages));
+    sum =
+        checksum(sum, fmt::format("{} {} {};", each.id, static_cast<int>(each.slot), each.stages));
   }
   return sum;
 }
@@ -53,8 +52,8 @@ class Layout {
   bool has_symbol(std::size_t i) const { return spheres_ == nullptr || (*spheres_)[i] != 0; }
 
   /// What the neighbours to the left, above, and left above suggest: the plane through them, or
-  /// the nearest of them where it leaves their range (the predictor of LOCO-I: Weinberger, Seroussi,
-  /// Sapiro, "The LOCO-I lossless image compression algorithm", 2000).
+  /// the nearest of them where it leaves their range (the predictor of LOCO-I: Weinberger,
+  /// Seroussi, Sapiro, "The LOCO-I lossless image compression algorithm", 2000).
   std::uint16_t predict(const Symbols& symbols, std::size_t i) const {
     const Place& place = pixels_[i];
     const bool has_left = place.has_left && has_symbol(i - 1);
@@ -178,9 +177,9 @@ StageMistakes decode(const std::string& file, const std::vector<SceneText>& scen
     throw MistakeDataError("these data are of other scenes or mistakes: build mistakes_data");
   }
   std::string bytes(size, '\0');
-  const int status = uncompress(reinterpret_cast<Bytef*>(bytes.data()), &size,
-                                reinterpret_cast<const Bytef*>(file.data() + begin),
-                                file.size() - begin);
+  const int status =
+      uncompress(reinterpret_cast<Bytef*>(bytes.data()), &size,
+                 reinterpret_cast<const Bytef*>(file.data() + begin), file.size() - begin);
   if (status != Z_OK || size != bytes.size()) {
     throw MistakeDataError("the data of the mistakes are damaged");
   }

@@ -44,8 +44,8 @@ struct Plane {
 
 /// The planes of a stage. The first is the right one; then come the mistakes, then the pairs.
 struct StageMistakes {
-  bool has_light = false;               ///< whether symbols are light codes, or spheres
-  std::vector<std::uint16_t> spheres;   ///< that the right tracer sees
+  bool has_light = false;              ///< whether symbols are light codes, or spheres
+  std::vector<std::uint16_t> spheres;  ///< that the right tracer sees
   std::vector<Plane> planes;
   std::vector<Symbols> terms;      ///< each light alone, in the order of term_scenes()
   std::vector<Symbols> distances;  ///< |L| / 4 of the same lights, 0 for a directional one

@@ -14,8 +14,8 @@
 #include <optional>
 #include <utility>
 
-#include "fos/stage_list.hpp"
 #include "ending.hpp"
+#include "fos/stage_list.hpp"
 #include "mistakes.hpp"
 
 namespace fos {
@@ -156,6 +156,7 @@ class MistakenTracer {
     if (is(Mistake::other_lights_too)) kinds |= point_term | directional_term;
     if (is(Mistake::point_forgotten)) kinds &= ~point_term;
     if (is(Mistake::directional_forgotten)) kinds &= ~directional_term;
+    if (is(Mistake::lights_forgotten)) kinds &= ambient_term;
     const T I_A = (kinds & ambient_term) != 0 && !is(Mistake::ambient_forgotten)
                       ? T(scene_.ambient_intensity)
                       : T(0);

@@ -14,8 +14,8 @@ constexpr unsigned D = in_directional;
 constexpr unsigned C = in_combined;
 
 constexpr Misconception all[] = {
-#define MISTAKE(id, slot, stages, look)                                                                \
-  {Mistake::id, #id, Slot::slot, stages, text::mistake_##id, text::mistake_##id##_question,      \
+#define MISTAKE(id, slot, stages, look)                                                          \
+  {Mistake::id,      #id, Slot::slot, stages, text::mistake_##id, text::mistake_##id##_question, \
    text::look_##look},
 #include "mistakes.inc"
 #undef MISTAKE

@@ -113,9 +113,8 @@ std::string describe(const Strength& strength) {
     case Dependence::sphere:
       return say(text::locate_by_sphere);
     case Dependence::distance:
-      return strength.power
-                 ? say(text::locate_by_power, {fmt::format("|L|^{}", *strength.power)})
-                 : say(text::locate_by_distance);
+      return strength.power ? say(text::locate_by_power, {fmt::format("|L|^{}", *strength.power)})
+                            : say(text::locate_by_distance);
     case Dependence::angle:
       return say(text::locate_by_angle);
     default:

@@ -61,17 +61,21 @@ const Judge& judge_of(const Stage& stage, std::string_view scene) {
 }
 
 bool passes(const Submission& submission) {
-  return std::all_of(
-      submission.stage->scenes.begin(), submission.stage->scenes.end(), [&](auto scene) {
-        const Judge& judge = judge_of(*submission.stage, scene);
-        const Frame frame = ask(submission, judge.scene());
-        return !frame.channels.empty() && judge.judge(frame).passes();
-      });
+  // The small scenes first: most mistakes show in them.
+  std::vector<std::string_view> scenes(submission.stage->scenes.begin(),
+                                       submission.stage->scenes.end());
+  std::stable_partition(scenes.begin(), scenes.end(),
+                        [](auto scene) { return scene != "lecture"; });
+  return std::all_of(scenes.begin(), scenes.end(), [&](auto scene) {
+    const Judge& judge = judge_of(*submission.stage, scene);
+    const Frame frame = ask(submission, judge.scene());
+    return !frame.channels.empty() && judge.judge(frame).passes();
+  });
 }
 
-std::string word(const std::vector<Finding>& findings) {
+std::string word(const std::vector<MistakeMade>& findings) {
   std::string words;
-  for (const Finding& finding : findings) {
+  for (const MistakeMade& finding : findings) {
     if (!words.empty()) words += " & ";
     words += misconception(finding.mistake).id;
     if (finding.where == Where::point_lights) words += "@point";
@@ -96,7 +100,7 @@ std::set<std::set<std::string>> terms(const std::string& verdict) {
 
 std::string verdict(const Diagnosis& diagnosis) {
   std::string words;
-  for (const Finding& finding : diagnosis.certain) {
+  for (const MistakeMade& finding : diagnosis.certain) {
     words += (words.empty() ? "" : " + ") + word({finding});
   }
   std::string one_of;
