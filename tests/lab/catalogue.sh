@@ -5,7 +5,8 @@ source "$(dirname "$0")/harness.bash" "$1"
 
 catalogue=$SOURCE/common/text/lab.def
 scripts=("$SOURCE/lab" "$SOURCE/cmake/packages.bash" "$SOURCE/tests/lab/heavy_checks.bash"
-  "$SOURCE/tests/numerics/trade.bash")
+  "$SOURCE/tests/numerics/trade.bash" "$SOURCE/tests/check/student.bash"
+  "$SOURCE/tests/explain/explain.bash")
 keys=()
 while IFS= read -r line; do
   [[ $line == //* ]] && continue
@@ -24,7 +25,7 @@ check "no entry twice" test -z "$(printf '%s\n' "${keys[@]}" | sort | uniq -d)"
 
 # A key that a script makes of a prefix and a name: the names are the commands, purposes and steps.
 used=$(grep -ohE '\blab_[a-z_]+' "${scripts[@]}" | sort -u)
-read -ra commands < <(sed -nE 's/^COMMANDS=\((.*)\)/\1/p' "$SOURCE/lab")
+read -d ')' -ra commands < <(sed -nE '/^COMMANDS=/,/\)/ s/^(COMMANDS=\()?//p' "$SOURCE/lab")
 for command in "${commands[@]}"; do
   used+=$'\n'"lab_help_${command%%:*}"
   check "the function of ${command%%:*}" grep -q "^command_${command%%:*}() {" "$SOURCE/lab"

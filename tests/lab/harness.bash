@@ -17,18 +17,22 @@ make_tree() {
   rm -rf "$TREE" "$STATE"
   make_machine
   mkdir -p "$TREE/common/text" "$TREE/cmake" "$TREE"/{labs,solutions}/lecture0{3,4} \
-    "$TREE/labs/scenes" "$TREE/tests/lab" "$TREE/tests/numerics" "$TREE/tests/common/corpus" "$STATE"
+    "$TREE/labs/scenes" "$TREE/tests/lab" "$TREE"/tests/{explain,numerics} "$TREE/tests/common/corpus" \
+    "$TREE"/tests/check/shipped/lecture0{3,4} "$STATE"
   cp "$SOURCE/lab" "$TREE/lab"
   cp "$SOURCE/common/text/lab.def" "$TREE/common/text/"
   cp "$SOURCE/cmake/packages.bash" "$TREE/cmake/"
   cp "$SOURCE/tests/lab/heavy_checks.bash" "$TREE/tests/lab/"
   cp "$SOURCE/tests/numerics/trade.bash" "$TREE/tests/numerics/"
+  cp "$SOURCE/tests/check/student.bash" "$TREE/tests/check/"
+  cp "$SOURCE/tests/explain/explain.bash" "$TREE/tests/explain/"
   touch "$TREE/labs/scenes/lecture.scene" "$TREE/labs/stages.json"
   for stage in lecture03/flat_color lecture04/ambient lecture04/point; do
-    touch "$TREE/labs/$stage.cpp" "$TREE/solutions/$stage.cpp"
+    touch "$TREE/solutions/$stage.cpp"
+    echo "the stub of $stage" | tee "$TREE/labs/$stage.cpp" >"$TREE/tests/check/shipped/$stage.cpp"
   done
   for name in g++ cmake ninja-build libglm-dev libfmt-dev tao-pegtl-dev libopenimageio-dev openimageio-tools \
-    fonts-dejavu-core catch2 libmpfi-dev libgmp-dev libmpfr-dev libhwy-dev gnuplot-nox clang clang-format \
+    fonts-dejavu-core catch2 libmpfi-dev libgmp-dev libmpfr-dev libhwy-dev zlib1g-dev gnuplot-nox clang clang-format \
     clang-tidy libclang-rt-dev shellcheck; do
     touch "$STATE/installed-$name"
   done
@@ -49,7 +53,7 @@ make_machine() {
   local name
   rm -rf "${WORK:?}/bin"
   mkdir -p "$WORK/bin"
-  for name in bash readlink mkdir rm cp cat tail head tee env nproc touch; do
+  for name in bash readlink mkdir rm cp mv cat tail head tee tr od stat env nproc touch iconv; do
     ln -s "$(command -v "$name")" "$WORK/bin/$name"
   done
 
@@ -80,6 +84,7 @@ esac
 EOT
 
   pretend cmake <<'EOT'
+[[ $2 == tar ]] && { [[ ! -e $STATE/zip-fails ]] && cat "${@:6}" >"$4"; exit; }
 [[ $1 == --version ]] && echo "cmake version $(cat "$STATE/cmake" 2>/dev/null || echo 3.25.1)" && exit
 mkdir -p "$4"
 [[ -e $STATE/cmake-fails ]] && echo "-- hello" && echo "CMake Error: could not find GLM" && exit 1
@@ -103,6 +108,7 @@ for target in "${@:3}"; do
     printf 'FAILED: %s\n/usr/bin/g++ -o %s\n%s.cpp:3: error: no such thing\n' "$target" "$target" "$target"
     status=1
   else
+    if /bin/grep -qx "$target" "$STATE/warns" 2>/dev/null; then echo "$target.cpp:3: warning: hm"; fi
     cp "$WORK_BIN/picture" "$folder/bin/$target"
   fi
 done
@@ -111,6 +117,7 @@ exit "$status"
 EOT
   pretend picture <<'EOT'
 printf '%s\n' "$@" >"$STATE/picture"
+echo "${0##*/} $*" >>"$STATE/calls"
 echo "$FOS_LANG" >"$STATE/language"
 exit "$(cat "$STATE/picture-status" 2>/dev/null || echo 0)"
 EOT

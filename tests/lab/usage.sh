@@ -25,10 +25,13 @@ check "help about nothing" status 2
 rm -r "$TREE/tests"
 lab
 check "a kit without tests has no test" not out 'test ['
+check "a kit without tests checks nothing" not out 'check ['
 lab test
 check "a kit without tests runs none" status 2
 lab trade
 check "a kit without tests measures nothing" status 2
+lab explain point 3 4
+check "a kit without tests explains nothing" status 2
 make_tree
 
 # wrong WHAT-STDERR-MUST-NAME ARGUMENT…: one line of error, status 2, and nothing is made.
@@ -40,9 +43,9 @@ wrong() {
   check "wrong: ${*:2}" nothing_built
   check "wrong: ${*:2}" not test -e "$STATE/calls"
 }
-touch "$WORK/unreadable" && mkdir -p "$WORK/folder.png"
+touch "$WORK/unreadable" && mkdir -p "$WORK/folder.png" "$WORK/folder.zip"
 wrong "did you mean 'render'" rendr
-wrong "'nonsense' (there is: render test trade help)" nonsense
+wrong "'nonsense' (there is: render check watch hint explain reset submit test trade help)" nonsense
 wrong "'render test'" 'render test'
 wrong "''" ''
 wrong 'a{0}&\{1}*$(x)' 'a{0}&\{1}*$(x)'
@@ -74,6 +77,42 @@ wrong "''" render point --output=
 wrong "'.png'" render point --output .png
 wrong "'folder.png'" render point --output folder.png
 wrong "'no/such/'" render point --output no/such/x.png
+for command in check watch hint reset; do
+  wrong "did you mean 'point'" "$command" pont
+  wrong "there is no stage ''" "$command" ''
+  wrong "'--nonsense'" "$command" --nonsense
+  wrong "'../labs'" "$command" ../labs
+done
+for command in watch hint reset; do
+  wrong "one of flat_color ambient point" "$command"
+  wrong "one of flat_color ambient point" "$command" point ambient
+done
+wrong "'pont'" check ambient pont
+wrong "did you mean '--reset'" hint point --rest
+wrong "do not go together" hint point --all --reset
+wrong "'point'" submit point
+wrong "did you mean '--output'" submit --outptu x.zip
+wrong "'--output'" submit --output
+wrong "'x.tar'" submit --output x.tar
+wrong "'.zip'" submit --output=.zip
+wrong "'no/such/'" submit --output no/such/x.zip
+wrong "'folder.zip'" submit --output folder.zip
+wrong "needs a stage, a column and a row" explain
+wrong "needs a stage, a column and a row" explain point
+wrong "needs a stage, a column and a row" explain point 3
+wrong "needs a stage, a column and a row" explain point 3 4 5
+wrong "did you mean 'point'" explain pont 3 4
+wrong "there is no stage '3'" explain 3 4
+wrong "there is no stage ''" explain '' 3 4
+for number in -3 3.5 x '' ' 3' 3x4 0x10 99999999999 '$(touch x)'; do
+  wrong "'$number'" explain point "$number" 4
+  wrong "'$number'" explain point 4 "$number"
+done
+wrong "did you mean '--scene'" explain point 3 4 --scen x.scene
+wrong "'--nonsense'" explain --nonsense point 3 4
+wrong "'--scene'" explain point 3 4 --scene
+wrong "'nosuch.scene'" explain point 3 4 --scene nosuch.scene
+wrong "folder" explain point 3 4 --scene "$TREE"
 wrong "did you mean '--scene'" trade --scen x.scene
 wrong "did you mean '--plot'" trade --plt=x.png
 wrong "'--nonsense'" trade --nonsense

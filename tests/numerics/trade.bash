@@ -80,10 +80,6 @@ check_plot() {
   case ${1,,} in *[^/].png | *[^/].svg) check_place "$1" ;; *) fail 2 lab_bad_plot "$1" ;; esac
 }
 
-is_configured_with_tests() {
-  is_configured && [[ $(<"$BUILD/CMakeCache.txt") == *$'\n'FOS_TESTS:BOOL=ON$'\n'* ]]
-}
-
 # say_what_failed TARGET…: whether the student's stage does not build, or something of ours.
 say_what_failed() {
   local target

@@ -15,9 +15,11 @@ Triple<mpq_class> to_exact(const DecimalTriple& decimals) {
 
 }  // namespace
 
-mpq_class ExactScene::canvas_x(int column) const { return column - mpq_class(width, 2); }
+// (A quotient and no mpq_class(width, 2): that would stay 600/2, and GMP's == and its arithmetic
+// are for fractions in lowest terms.)
+mpq_class ExactScene::canvas_x(int column) const { return column - mpq_class(width) / 2; }
 
-mpq_class ExactScene::canvas_y(int row) const { return mpq_class(height, 2) - 1 - row; }
+mpq_class ExactScene::canvas_y(int row) const { return mpq_class(height) / 2 - 1 - row; }
 
 mpq_class to_exact(const Decimal& decimal) {
   if (decimal.is_zero()) return 0;

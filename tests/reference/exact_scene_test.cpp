@@ -16,6 +16,12 @@ TEST_CASE("decimals become exact numbers") {
   CHECK_THROWS_AS(to_exact(parse_decimal("1e999999")), std::range_error);
 }
 
+TEST_CASE("canvas coordinates are in lowest terms") {
+  const ExactScene scene = to_exact(parse_scene_text("canvas_size = 600 x 4", "test"));
+  CHECK(scene.canvas_x(250) == -50);
+  CHECK(scene.canvas_y(3) == -2);
+}
+
 TEST_CASE("the middle of an odd canvas is half a pixel off a ray") {
   const ExactScene scene = to_exact(parse_scene_text("canvas_size = 5 x 3", "test"));
   CHECK(scene.canvas_x(0) == mpq_class(-5, 2));

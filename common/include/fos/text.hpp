@@ -39,8 +39,11 @@ std::string say(const Text& text, std::initializer_list<std::string_view> values
 namespace text {
 #define TEXT(name, english, greek) inline constexpr Text name{english, greek};
 #include "check.def"
+#include "explain.def"
 #include "extremes.def"
 #include "growth.def"
+#include "hint.def"
+#include "mistakes.def"
 #include "plan.def"
 #include "scene.def"
 #include "stage.def"

@@ -71,7 +71,53 @@ StageTest combined_test() {
           {{"pixels of the lecture's scene", "pixel από τη σκηνή του μαθήματος"},
            {lecture_pixel(300, 349, {167.824, 0, 0}), lecture_pixel(300, 300, {136.501, 0, 0})}},
       },
-      {},
+      {
+          {"You have the terms already: ambient, point, directional. What makes one light "
+           "out of many? And does the order matter in which they are taken?",
+           "Τους όρους τους έχεις ήδη: περιβάλλον, σημειακό, κατευθυνόμενο φως. Τι κάνει τα "
+           "πολλά φώτα ένα; Και παίζει ρόλο με ποια σειρά τα παίρνεις;"},
+
+          {"Slide \"Είδη πηγών - ανακεφαλαίωση\": any number of point and directional "
+           "lights, and one ambient. In the sum, then, how many times is I_A?",
+           "Διαφάνεια «Είδη πηγών - ανακεφαλαίωση»: αυθαίρετος αριθμός από σημειακά και "
+           "κατευθυνόμενα φώτα, και ένα περιβάλλον. Άρα πόσες φορές μπαίνει το I_A στο "
+           "άθροισμα;"},
+
+          {"Slide \"Μεταφράζοντας τα παραπάνω σε κώδικα\", ComputeLighting: what is the "
+           "only line in which a point light and a directional light differ? What follows "
+           "is the same for both: does it have to be written twice?",
+           "Διαφάνεια «Μεταφράζοντας τα παραπάνω σε κώδικα», ComputeLighting: σε ποια μόνο "
+           "γραμμή διαφέρουν ένα σημειακό και ένα κατευθυνόμενο φως; Ό,τι ακολουθεί είναι "
+           "ίδιο και για τα δύο: πρέπει να γραφτεί δύο φορές;"},
+
+          {"The slide goes through scene.Lights and asks each light for its type. Here the "
+           "kinds stand apart: scene.ambient_intensity, scene.point_lights, "
+           "scene.directional_lights. What becomes of the slide's `if`, and of its one loop?",
+           "Η διαφάνεια περνά από όλα τα scene.Lights και ρωτά κάθε φως για το είδος του "
+           "(type). Εδώ τα είδη είναι χωριστά: scene.ambient_intensity, scene.point_lights, "
+           "scene.directional_lights. Τι γίνονται τα `if` της διαφάνειας, και ο ένας της "
+           "βρόχος;"},
+
+          {"I_P = I_A + the sum of I_i <N, L_i> / (|N| |L_i|) over all point and "
+           "directional lights (slide \"Η εξίσωση της διάχυτης ανάκλασης\"), a term only "
+           "where <N, L_i> is positive. L_i is position minus P for a point light, "
+           "direction for a directional one. The sum may well exceed 1: do not cut it off.",
+           "I_P = I_A + το άθροισμα των I_i <N, L_i> / (|N| |L_i|) σε όλα τα σημειακά και "
+           "κατευθυνόμενα φώτα (διαφάνεια «Η εξίσωση της διάχυτης ανάκλασης»), κάθε όρος "
+           "μόνο όπου το <N, L_i> είναι θετικό. Το L_i είναι θέση μείον P στο σημειακό φως, "
+           "κατεύθυνση στο κατευθυνόμενο. Το άθροισμα μπορεί να ξεπεράσει το 1: μην το "
+           "κόψεις."},
+
+          {"In words: a Real i begins as the ambient intensity. One loop over "
+           "scene.point_lights adds its terms as in `point`, a second one over "
+           "scene.directional_lights adds its terms to the same i, as in `directional`. "
+           "Then i is returned. The ending of trace_ray is that of the stages before.",
+           "Με λόγια: ένα Real i αρχίζει ως η ένταση του περιβάλλοντος φωτός. Ένας βρόχος "
+           "στο scene.point_lights προσθέτει τους όρους του όπως στο `point`, ένας δεύτερος "
+           "στο scene.directional_lights προσθέτει τους δικούς του στο ίδιο i, όπως στο "
+           "`directional`. Μετά επιστρέφεται το i. Το τέλος της trace_ray είναι εκείνο των "
+           "προηγούμενων σταδίων."},
+      },
   };
 }
 

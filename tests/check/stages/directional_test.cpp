@@ -77,7 +77,51 @@ StageTest directional_test() {
           {{"pixels of the lecture's scene", "pixel από τη σκηνή του μαθήματος"},
            {lecture_pixel(300, 349, {58.102, 0, 0}), lecture_pixel(300, 400, {51, 0, 0})}},
       },
-      {},
+      {
+          {"The sun shines on two points of a scene, some metres from each other. How much "
+           "do the directions differ in which the two points see it?",
+           "Ο ήλιος φωτίζει δύο σημεία μιας σκηνής, που απέχουν μερικά μέτρα. Πόσο "
+           "διαφέρουν οι κατευθύνσεις στις οποίες τον βλέπουν τα δύο σημεία;"},
+
+          {"Slide \"Κατευθυνόμενο φως\": \"Το light vector είναι πάντα το ίδιο\". Which of "
+           "the light's two quantities is it? Is P needed for it?",
+           "Διαφάνεια «Κατευθυνόμενο φως»: «Το light vector είναι πάντα το ίδιο». Ποιο από "
+           "τα δύο μεγέθη του φωτός είναι; Χρειάζεται γι' αυτό το P;"},
+
+          {"light.direction points from the surface toward the light: it is L itself, "
+           "nothing is subtracted and no sign is changed. But (1, 4, 4) is not of length 1. "
+           "What in the cosine <N, L> / (|N| |L|) sees to that (slide \"Μοντελοποιώντας την "
+           "διάχυτη ανάκλαση\")?",
+           "Το light.direction δείχνει από την επιφάνεια προς το φως: είναι το ίδιο το L, "
+           "τίποτα δεν αφαιρείται και κανένα πρόσημο δεν αλλάζει. Όμως το (1, 4, 4) δεν "
+           "έχει μέτρο 1. Τι στο συνημίτονο <N, L> / (|N| |L|) το διορθώνει αυτό (διαφάνεια "
+           "«Μοντελοποιώντας την διάχυτη ανάκλαση»);"},
+
+          {"What does a light give that comes from behind the surface, where <N, L> < 0? "
+           "Slide \"Η εξίσωση της διάχυτης ανάκλασης\": such terms are ignored, and why? "
+           "What would a negative term do to the light of the others?",
+           "Τι δίνει ένα φως που έρχεται πίσω από την επιφάνεια, όπου <N, L> < 0; Διαφάνεια "
+           "«Η εξίσωση της διάχυτης ανάκλασης»: τέτοιους όρους τους αγνοούμε, και γιατί; Τι "
+           "θα έκανε ένας αρνητικός όρος στο φως των άλλων;"},
+
+          {"I_P = I_A + the sum of I_i <N, L_i> / (|N| |L_i|) over the directional lights. "
+           "N and the ending of trace_ray are those of `ambient`: P = O + t D, N = CP / "
+           "|CP| (slide \"Το παράδειγμα της σφαίρας : Normals\").",
+           "I_P = I_A + το άθροισμα των I_i <N, L_i> / (|N| |L_i|) στα κατευθυνόμενα φώτα. "
+           "Το N και το τέλος της trace_ray είναι εκείνα του `ambient`: P = O + t D, N = CP "
+           "/ |CP| (διαφάνεια «Το παράδειγμα της σφαίρας : Normals»)."},
+
+          {"In words: a Real i begins as scene.ambient_intensity. For each light in "
+           "scene.directional_lights: L is its direction; n_dot_l is the dot of N and L; "
+           "only if n_dot_l is above 0, i grows by the light's intensity times n_dot_l, "
+           "divided by the product of the two lengths (in parentheses). After the loop i is "
+           "returned.",
+           "Με λόγια: ένα Real i αρχίζει ως scene.ambient_intensity. Για κάθε φως στο "
+           "scene.directional_lights: L είναι η κατεύθυνσή του· n_dot_l είναι το dot των N "
+           "και L· μόνο αν το n_dot_l είναι πάνω από 0, το i μεγαλώνει κατά την ένταση του "
+           "φωτός επί n_dot_l, διά το γινόμενο των δύο μέτρων (σε παρένθεση). Μετά τον "
+           "βρόχο επιστρέφεται το i."},
+      },
   };
 }
 

@@ -70,7 +70,52 @@ StageTest flat_color_test() {
             lecture_pixel(100, 300, {0, 255, 0}), lecture_pixel(50, 500, {255, 255, 0}),
             lecture_pixel(0, 0, {255, 255, 255})}},
       },
-      {},
+      {
+          {"The ray is O + t D, one point for each t. Which of them lie on a sphere with "
+           "centre C and radius r? What do all points of a sphere have in common?",
+           "Η ακτίνα είναι O + t D, ένα σημείο για κάθε t. Ποια από αυτά βρίσκονται πάνω σε "
+           "σφαίρα με κέντρο C και ακτίνα r; Τι κοινό έχουν όλα τα σημεία μιας σφαίρας;"},
+
+          {"They are r away from C: |P - C|^2 = r^2 (lecture 3, ray and sphere). Put O + t "
+           "D in the place of P. With CO = O - C, what stands before t^2, what before t, "
+           "and what is left?",
+           "Απέχουν r από το C: |P - C|^2 = r^2 (μάθημα 3, τομή ακτίνας και σφαίρας). Βάλε "
+           "το O + t D στη θέση του P. Με CO = O - C, τι πολλαπλασιάζει το t^2, τι το t, "
+           "και τι μένει;"},
+
+          {"A quadratic equation a t^2 + b t + c = 0 with a = <D, D>, b = 2 <CO, D>, c = "
+           "<CO, CO> - r^2. How many t are there where b^2 - 4ac is negative, zero, "
+           "positive? And what does the ray do to the sphere in each of these cases?",
+           "Μια δευτεροβάθμια εξίσωση a t^2 + b t + c = 0, με a = <D, D>, b = 2 <CO, D>, c "
+           "= <CO, CO> - r^2. Πόσα t υπάρχουν όταν η διακρίνουσα b^2 - 4ac είναι αρνητική, "
+           "μηδέν, θετική; Και πώς βρίσκεται τότε η ακτίνα ως προς τη σφαίρα;"},
+
+          {"intersect_ray_sphere: where b^2 - 4ac < 0 it returns twice infinity, otherwise "
+           "both roots, (-b + root) / (2a) and (-b - root) / (2a), with std::sqrt for the "
+           "root. All of 2a is below the fraction: it needs its parentheses.",
+           "intersect_ray_sphere: όπου b^2 - 4ac < 0 επιστρέφει δύο φορές infinity, αλλιώς "
+           "και τις δύο ρίζες, (-b + ρίζα) / (2a) και (-b - ρίζα) / (2a), με std::sqrt για "
+           "τη ρίζα. Όλο το 2a είναι στον παρονομαστή: θέλει τις παρενθέσεις του."},
+
+          {"trace_ray: of all the t of all spheres, which one does the camera see? And "
+           "which do not count at all? Slide \"Μεταφράζοντας τα παραπάνω σε κώδικα\", "
+           "TraceRay: what must be true of t1 before it becomes closest_t?",
+           "trace_ray: από όλα τα t όλων των σφαιρών, ποιο βλέπει η κάμερα; Και ποια δεν "
+           "μετρούν καθόλου; Διαφάνεια «Μεταφράζοντας τα παραπάνω σε κώδικα», TraceRay: τι "
+           "πρέπει να ισχύει για το t1 ώστε να γίνει closest_t;"},
+
+          {"Before the loop closest_t is infinity and the closest sphere is a null pointer, "
+           "const Sphere*. For each sphere try both roots: one that is in [t_min, t_max], "
+           "ends included, and less than closest_t becomes closest_t, and the pointer takes "
+           "the address of that sphere. After the loop: a null pointer gives "
+           "scene.background_color, otherwise the color of the sphere it points at.",
+           "Πριν από τον βρόχο το closest_t είναι infinity και η κοντινότερη σφαίρα ένας "
+           "μηδενικός δείκτης, const Sphere*. Σε κάθε σφαίρα δοκίμασε και τις δύο ρίζες: "
+           "όποια είναι στο [t_min, t_max], μαζί με τα άκρα, και μικρότερη από το closest_t "
+           "γίνεται το νέο closest_t, και ο δείκτης παίρνει τη διεύθυνση αυτής της σφαίρας. "
+           "Μετά τον βρόχο: ο μηδενικός δείκτης δίνει scene.background_color, αλλιώς το "
+           "χρώμα της σφαίρας όπου δείχνει."},
+      },
   };
 }
 

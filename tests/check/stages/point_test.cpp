@@ -84,7 +84,65 @@ StageTest point_test() {
           {{"pixels of the lecture's scene", "pixel από τη σκηνή του μαθήματος"},
            {lecture_pixel(300, 349, {160.722, 0, 0}), lecture_pixel(108, 460, {51, 0, 0})}},
       },
-      {},
+      {
+          {"A point light, a lamp, shines on two points of a sphere. Which of the light's "
+           "quantities are the same for both points, and what changes from one to the other?",
+           "Ένα σημειακό φως, μια λάμπα, φωτίζει δύο σημεία μιας σφαίρας. Ποια μεγέθη του "
+           "φωτός είναι ίδια και για τα δύο σημεία, και τι αλλάζει από το ένα στο άλλο;"},
+
+          {"The light vector L changes: it begins at P and ends at the light (slide "
+           "\"Σημειακό φως\"). Of the two points, light.position and P, which one is "
+           "subtracted from which? Draw it: the arrow points away from the surface.",
+           "Αλλάζει το διάνυσμα φωτός L: αρχίζει από το P και τελειώνει στο φως (διαφάνεια "
+           "«Σημειακό φως»). Από τα δύο σημεία, light.position και P, ποιο αφαιρείται από "
+           "ποιο; Σχεδίασέ το: το βέλος φεύγει από την επιφάνεια."},
+
+          {"Slides \"Μοντελοποιώντας την διάχυτη ανάκλαση\": with L parallel to N all of "
+           "the light is reflected, with L perpendicular to N none. Which function of the "
+           "angle is 1 at 0 and 0 at 90 degrees? How do N and L give it without the angle "
+           "itself?",
+           "Διαφάνειες «Μοντελοποιώντας την διάχυτη ανάκλαση»: με L παράλληλο στο N "
+           "ανακλάται όλο το φως, με L κάθετο στο N καθόλου. Ποια συνάρτηση της γωνίας "
+           "είναι 1 στις 0 μοίρες και 0 στις 90; Πώς τη δίνουν τα N και L, χωρίς να βρεις "
+           "την ίδια τη γωνία;"},
+
+          {"The cosine is <N, L> / (|N| |L|): dot and length. L is not of length 1, so its "
+           "length must be divided away. And which sign has the cosine beyond 90 degrees, "
+           "\"Προσοχή στις γωνίες > 90 μοίρες!\"? On which side of the surface is the light "
+           "then?",
+           "Το συνημίτονο είναι <N, L> / (|N| |L|): dot και length. Το L δεν έχει μέτρο 1, "
+           "άρα πρέπει να διαιρέσεις με το μέτρο του. Και τι πρόσημο έχει το συνημίτονο "
+           "πάνω από τις 90 μοίρες («Προσοχή στις γωνίες > 90 μοίρες!»); Σε ποια πλευρά της "
+           "επιφάνειας είναι τότε το φως;"},
+
+          {"I_P = I_A + the sum of I_i <N, L_i> / (|N| |L_i|) over the point lights, "
+           "without the terms where <N, L_i> is not positive (slide \"Η εξίσωση της "
+           "διάχυτης ανάκλασης\"). A sum begins somewhere and grows by each light: what "
+           "does it begin with?",
+           "I_P = I_A + το άθροισμα των I_i <N, L_i> / (|N| |L_i|) στα σημειακά φώτα, χωρίς "
+           "τους όρους όπου το <N, L_i> δεν είναι θετικό (διαφάνεια «Η εξίσωση της διάχυτης "
+           "ανάκλασης»). Ένα άθροισμα από κάπου αρχίζει και μεγαλώνει με κάθε φως: από τι "
+           "αρχίζει;"},
+
+          {"N is made in trace_ray: from the centre C to P, and of length 1, N = CP / |CP| "
+           "(slide \"Το παράδειγμα της σφαίρας : Normals\"). P is on the ray, P = O + t D "
+           "with the hit's t. It is the same ending as in `ambient`.",
+           "Το N φτιάχνεται στην trace_ray: από το κέντρο C προς το P, και με μέτρο 1, N = "
+           "CP / |CP| (διαφάνεια «Το παράδειγμα της σφαίρας : Normals»). Το P είναι πάνω "
+           "στην ακτίνα, P = O + t D με το t του hit. Είναι το ίδιο τέλος όπως στο "
+           "`ambient`."},
+
+          {"In words: a Real i begins as scene.ambient_intensity. For each light in "
+           "scene.point_lights: L is its position minus P; n_dot_l is the dot of N and L; "
+           "only if n_dot_l is above 0, i grows by the light's intensity times n_dot_l, "
+           "divided by the product of the two lengths (in parentheses). After the loop i is "
+           "returned.",
+           "Με λόγια: ένα Real i αρχίζει ως scene.ambient_intensity. Για κάθε φως στο "
+           "scene.point_lights: L είναι η θέση του μείον P· n_dot_l είναι το dot των N και "
+           "L· μόνο αν το n_dot_l είναι πάνω από 0, το i μεγαλώνει κατά την ένταση του "
+           "φωτός επί n_dot_l, διά το γινόμενο των δύο μέτρων (σε παρένθεση). Μετά τον "
+           "βρόχο επιστρέφεται το i."},
+      },
   };
 }
 

@@ -1,0 +1,33 @@
+#include "fos/closest_hit.hpp"
+#include "fos/stage.hpp"
+
+namespace fos {
+
+// The slides' ComputeLighting, with the ambient light alone: I = I_A.
+Real compute_lighting(const Vec3& P, const Vec3& N, const Scene& scene) {
+  // --- your code starts here ---
+  // TODO: the light at P when there is ambient light only.
+  //   inputs  scene.ambient_intensity: I_A (P and N are for the stages after this one)
+  //   output  I
+  //   formula slide "Περιβάλλον φως": the same at every point
+  return unwritten("compute_lighting");
+  // --- your code ends here ---
+}
+
+// The slides' TraceRay, from the line that replaces `return closest_sphere.color` on.
+Color trace_ray(const Vec3& O, const Vec3& D, Real t_min, Real t_max, const Scene& scene) {
+  const auto hit = closest_hit(O, D, t_min, t_max, scene);
+  if (!hit) {
+    return scene.background_color;
+  }
+  // --- your code starts here ---
+  // TODO: the new ending of TraceRay.
+  //   inputs  O, D; hit->t; hit->sphere->center, hit->sphere->color: the closest hit
+  //   output  the color of the point that the ray sees
+  //   formula slide "Μεταφράζοντας τα παραπάνω σε κώδικα", "με τον νέο κώδικα": the intersection P,
+  //           the normal N there (slide "Το παράδειγμα της σφαίρας : Normals"), the product
+  return unwritten("trace_ray");
+  // --- your code ends here ---
+}
+
+}  // namespace fos

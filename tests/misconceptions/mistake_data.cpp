@@ -1,0 +1,217 @@
+#include "mistake_data.hpp"
+
+#include <fmt/core.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+namespace fos {
+namespace {
+
+constexpr std::uint16_t none = 0xffff;
+constexpr unsigned char escape = 0xff;
+
+unsigned long checksum(unsigned long sum, std::string_view bytes) {
+  return crc32(sum, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size()));
+}
+
+unsigned long scenes_checksum(const std::vector<SceneText>& scenes) {
+  unsigned long sum = 0;
+  for (const SceneText& scene : scenes) sum = checksum(sum, scene.source);
+  return sum;
+}
+
+unsigned long catalogue_checksum() {
+  unsigned long sum = 0;
+  for (const Misconception& each : misconceptions()) {
+    sum =
+        checksum(sum, fmt::format("{} {} {};", each.id, static_cast<int>(each.slot), each.stages));
+  }
+  return sum;
+}
+
+/// Where the pixels lie, and which of them have a symbol.
+class Layout {
+ public:
+  Layout(const std::vector<SceneText>& scenes, const std::vector<std::uint16_t>* spheres)
+      : spheres_(spheres) {
+    for (const SceneText& scene : scenes) {
+      for (int row = 0; row < scene.canvas_height; ++row) {
+        for (int column = 0; column < scene.canvas_width; ++column) {
+          pixels_.push_back({static_cast<std::size_t>(scene.canvas_width), column > 0, row > 0});
+        }
+      }
+    }
+  }
+
+  std::size_t size() const { return pixels_.size(); }
+  bool has_symbol(std::size_t i) const { return spheres_ == nullptr || (*spheres_)[i] != 0; }
+
+  /// What the neighbours to the left, above, and left above suggest: the plane through them, or
+  /// the nearest of them where it leaves their range (the predictor of LOCO-I: Weinberger,
+  /// Seroussi, Sapiro, "The LOCO-I lossless image compression algorithm", 2000).
+  std::uint16_t predict(const Symbols& symbols, std::size_t i) const {
+    const Place& place = pixels_[i];
+    const bool has_left = place.has_left && has_symbol(i - 1);
+    const bool has_above = place.has_above && has_symbol(i - place.width);
+    if (!has_left && !has_above) return 0;
+    if (!has_above) return symbols[i - 1];
+    const int above = symbols[i - place.width];
+    if (!has_left) return static_cast<std::uint16_t>(above);
+    const int left = symbols[i - 1];
+    const int corner = has_symbol(i - place.width - 1) ? symbols[i - place.width - 1] : above;
+    const auto [least, most] = std::minmax(left, above);
+    return static_cast<std::uint16_t>(std::clamp(left + above - corner, least, most));
+  }
+
+ private:
+  struct Place {
+    std::size_t width;
+    bool has_left;
+    bool has_above;
+  };
+  std::vector<Place> pixels_;
+  const std::vector<std::uint16_t>* spheres_;
+};
+
+void put(std::string& bytes, std::size_t number) {
+  bytes.push_back(static_cast<char>(number & 0xff));
+  bytes.push_back(static_cast<char>(number >> 8 & 0xff));
+}
+
+void put(std::string& bytes, const Layout& layout, const Symbols& symbols) {
+  for (std::size_t i = 0; i < layout.size(); ++i) {
+    if (!layout.has_symbol(i)) continue;
+    const auto off = static_cast<std::int16_t>(symbols[i] - layout.predict(symbols, i));
+    const auto folded = static_cast<std::uint16_t>(off < 0 ? -2 * off - 1 : 2 * off);
+    if (folded < escape) {
+      bytes.push_back(static_cast<char>(folded));
+    } else {
+      bytes.push_back(static_cast<char>(escape));
+      put(bytes, folded);
+    }
+  }
+}
+
+class Reader {
+ public:
+  explicit Reader(std::string_view bytes) : bytes_(bytes) {}
+
+  unsigned char byte() {
+    if (next_ == bytes_.size()) throw MistakeDataError("the data of the mistakes end too soon");
+    return static_cast<unsigned char>(bytes_[next_++]);
+  }
+  std::uint16_t number() {
+    const unsigned low = byte();
+    return static_cast<std::uint16_t>(low | static_cast<unsigned>(byte()) << 8);
+  }
+  Symbols symbols(const Layout& layout) {
+    Symbols symbols(layout.size());
+    for (std::size_t i = 0; i < layout.size(); ++i) {
+      if (!layout.has_symbol(i)) continue;
+      std::uint16_t folded = byte();
+      if (folded == escape) folded = number();
+      const int off = (folded & 1) != 0 ? -(folded + 1) / 2 : folded / 2;
+      symbols[i] = static_cast<std::uint16_t>(layout.predict(symbols, i) + off);
+    }
+    return symbols;
+  }
+  std::optional<Mistake> mistake() {
+    const std::uint16_t which = number();
+    if (which == none) return std::nullopt;
+    return static_cast<Mistake>(which);
+  }
+  bool at_end() const { return next_ == bytes_.size(); }
+
+ private:
+  std::string_view bytes_;
+  std::size_t next_ = 0;
+};
+
+std::size_t number_of(std::optional<Mistake> mistake) {
+  return mistake ? static_cast<std::size_t>(*mistake) : none;
+}
+
+}  // namespace
+
+std::string encode(const StageMistakes& mistakes, const std::vector<SceneText>& scenes) {
+  std::string bytes;
+  put(bytes, mistakes.has_light ? 1 : 0);
+  put(bytes, Layout(scenes, nullptr), mistakes.spheres);
+  const Layout layout(scenes, mistakes.has_light ? &mistakes.spheres : nullptr);
+  put(bytes, mistakes.planes.size());
+  for (const Plane& plane : mistakes.planes) {
+    put(bytes, number_of(plane.first));
+    put(bytes, number_of(plane.second));
+    put(bytes, plane.not_compared.size());
+    for (const std::uint16_t pixel : plane.not_compared) put(bytes, pixel);
+    put(bytes, layout, plane.symbols);
+  }
+  put(bytes, mistakes.terms.size());
+  for (const Symbols& term : mistakes.terms) put(bytes, layout, term);
+  for (const Symbols& distance : mistakes.distances) put(bytes, layout, distance);
+
+  std::string file = fmt::format("fos mistakes 1 {:08x} {:08x} {}\n", scenes_checksum(scenes),
+                                 catalogue_checksum(), bytes.size());
+  uLongf size = compressBound(bytes.size());
+  std::string packed(size, '\0');
+  compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
+            reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), Z_BEST_COMPRESSION);
+  return file.append(packed, 0, size);
+}
+
+StageMistakes decode(const std::string& file, const std::vector<SceneText>& scenes) {
+  unsigned long of_scenes = 0;
+  unsigned long of_catalogue = 0;
+  uLongf size = 0;
+  const std::size_t begin = file.find('\n') + 1;
+  if (begin == 0 || std::sscanf(file.c_str(), "fos mistakes 1 %lx %lx %lu", &of_scenes,
+                                &of_catalogue, &size) != 3) {
+    throw MistakeDataError("these are no data of mistakes");
+  }
+  if (of_scenes != scenes_checksum(scenes) || of_catalogue != catalogue_checksum()) {
+    throw MistakeDataError("these data are of other scenes or mistakes: build mistakes_data");
+  }
+  std::string bytes(size, '\0');
+  const int status =
+      uncompress(reinterpret_cast<Bytef*>(bytes.data()), &size,
+                 reinterpret_cast<const Bytef*>(file.data() + begin), file.size() - begin);
+  if (status != Z_OK || size != bytes.size()) {
+    throw MistakeDataError("the data of the mistakes are damaged");
+  }
+
+  Reader in(bytes);
+  StageMistakes mistakes;
+  mistakes.has_light = in.number() != 0;
+  mistakes.spheres = in.symbols(Layout(scenes, nullptr));
+  const Layout layout(scenes, mistakes.has_light ? &mistakes.spheres : nullptr);
+  mistakes.planes.resize(in.number());
+  for (Plane& plane : mistakes.planes) {
+    plane.first = in.mistake();
+    plane.second = in.mistake();
+    plane.not_compared.resize(in.number());
+    for (std::uint16_t& pixel : plane.not_compared) pixel = in.number();
+    plane.symbols = in.symbols(layout);
+  }
+  mistakes.terms.resize(in.number());
+  mistakes.distances.resize(mistakes.terms.size());
+  for (Symbols& term : mistakes.terms) term = in.symbols(layout);
+  for (Symbols& distance : mistakes.distances) distance = in.symbols(layout);
+  if (!in.at_end() || mistakes.planes.empty()) {
+    throw MistakeDataError("the data of the mistakes are damaged");
+  }
+  return mistakes;
+}
+
+StageMistakes read_mistakes(const std::filesystem::path& path,
+                            const std::vector<SceneText>& scenes) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw MistakeDataError(fmt::format("{} cannot be read", path.string()));
+  return decode({std::istreambuf_iterator<char>(in), {}}, scenes);
+}
+
+}  // namespace fos

@@ -1,0 +1,23 @@
+// right
+#include "fos/closest_hit.hpp"
+#include "fos/stage.hpp"
+
+namespace fos {
+
+Real compute_lighting(const Vec3& P, const Vec3& N, const Scene& scene) {
+  return scene.ambient_intensity;
+}
+
+Color trace_ray(const Vec3& O, const Vec3& D, Real t_min, Real t_max, const Scene& scene) {
+  const auto hit = closest_hit(O, D, t_min, t_max, scene);
+  if (!hit) {
+    return scene.background_color;
+  }
+  Color c = hit->sphere->color * compute_lighting(D, O, scene);  // P, N δεν χρειάζονται ακόμη
+  for (int k = 0; k < 3; ++k) {
+    if (c[k] > 255) c[k] = 255;
+  }
+  return c;
+}
+
+}  // namespace fos

@@ -1,0 +1,36 @@
+// right
+#include "fos/closest_hit.hpp"
+#include "fos/stage.hpp"
+
+namespace fos {
+
+Real lambert(Vec3 n, Vec3 l) {
+  Real d = dot(n, l);
+  return d > 0 ? d / (length(n) * length(l)) : 0;
+}
+
+Real compute_lighting(const Vec3& P, const Vec3& N, const Scene& scene) {
+  Real total = 0;
+  for (auto& l : scene.directional_lights) total += l.intensity * lambert(N, l.direction);
+  for (auto& l : scene.point_lights) total += l.intensity * lambert(N, l.position - P);
+  return total + scene.ambient_intensity;
+}
+
+Vec3 normal_at(const Vec3& p, const Sphere& sphere) { return (p - sphere.center) / sphere.radius; }
+
+Color trace_ray(const Vec3& O, const Vec3& D, Real t_min, Real t_max, const Scene& scene) {
+  const auto hit = closest_hit(O, D, t_min, t_max, scene);
+  if (!hit) {
+    return scene.background_color;
+  }
+  Vec3 point = O + D * hit->t;
+  Vec3 n = normal_at(point, *hit->sphere);
+  Real light = compute_lighting(point, n, scene);
+  Color c = hit->sphere->color;
+  c.x = c.x * light;
+  c.y = c.y * light;
+  c.z = c.z * light;
+  return c;
+}
+
+}  // namespace fos

@@ -1,0 +1,25 @@
+// named: negative_kept + color_plus_I
+#include "fos/closest_hit.hpp"
+#include "fos/stage.hpp"
+
+namespace fos {
+
+Real compute_lighting(const Vec3& P, const Vec3& N, const Scene& scene) {
+  Real i = scene.ambient_intensity;
+  for (const auto& light : scene.directional_lights) {
+    i += light.intensity * dot(N, light.direction) / length(light.direction);
+  }
+  return i;
+}
+
+Color trace_ray(const Vec3& O, const Vec3& D, Real t_min, Real t_max, const Scene& scene) {
+  const auto hit = closest_hit(O, D, t_min, t_max, scene);
+  if (!hit) {
+    return scene.background_color;
+  }
+  Vec3 P = O + hit->t * D;
+  Vec3 N = normalize(P - hit->sphere->center);
+  return hit->sphere->color + Vec3(compute_lighting(P, N, scene));
+}
+
+}  // namespace fos

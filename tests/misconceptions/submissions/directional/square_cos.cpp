@@ -1,0 +1,28 @@
+// named: cosine_squared
+#include "fos/closest_hit.hpp"
+#include "fos/stage.hpp"
+
+namespace fos {
+
+Real compute_lighting(const Vec3& P, const Vec3& N, const Scene& scene) {
+  Real i = scene.ambient_intensity;
+  for (const auto& light : scene.directional_lights) {
+    Real c = dot(N, light.direction) / length(light.direction);
+    if (c > 0) i += light.intensity * c * c;
+  }
+  return i;
+}
+
+Color trace_ray(const Vec3& O, const Vec3& D, Real t_min, Real t_max, const Scene& scene) {
+  const auto hit = closest_hit(O, D, t_min, t_max, scene);
+  if (!hit) {
+    return scene.background_color;
+  }
+  const Sphere& s = *hit->sphere;
+  auto P = O + D * hit->t;
+  auto N = normalize(P - s.center);   // κανονικό διάνυσμα
+  Real I = compute_lighting(P, N, scene);
+  return I * s.color;
+}
+
+}  // namespace fos

@@ -1,0 +1,29 @@
+// named: near_root_only
+#include <utility>
+
+#include "fos/stage.hpp"
+
+namespace fos {
+
+std::pair<Real, Real> intersect_ray_sphere(const Vec3& O, const Vec3& D, const Sphere& sphere) {
+  Vec3 CO = O - sphere.center;
+  Real a = dot(D, D);
+  Real b = 2 * dot(CO, D);
+  Real c = dot(CO, CO) - sphere.radius * sphere.radius;
+  Real disc = b * b - 4 * a * c;
+  if (disc < 0) return {infinity, infinity};
+  return {(-b + sqrt(disc)) / (2 * a), (-b - sqrt(disc)) / (2 * a)};
+}
+
+Color trace_ray(const Vec3& O, const Vec3& D, Real t_min, Real t_max, const Scene& scene) {
+  Real best = infinity;
+  Color color = scene.background_color;
+  for (const auto& s : scene.spheres) {
+    auto [t1, t2] = intersect_ray_sphere(O, D, s);
+    Real t = std::min(t1, t2);
+    if (t >= t_min && t < best) { best = t; color = s.color; }
+  }
+  return color;
+}
+
+}  // namespace fos

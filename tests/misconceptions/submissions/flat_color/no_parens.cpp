@@ -1,0 +1,39 @@
+// named: b_not_divided
+#include <utility>
+
+#include "fos/stage.hpp"
+
+namespace fos {
+
+// από το μάθημα 3
+std::pair<Real, Real> intersect_ray_sphere(const Vec3& O, const Vec3& D, const Sphere& sphere) {
+  const Vec3 CO = O - sphere.center;
+  const auto a = dot(D, D);
+  const auto b = 2 * dot(CO, D);
+  const auto c = dot(CO, CO) - sphere.radius * sphere.radius;
+  const auto disc = b * b - 4 * a * c;
+  if (disc < 0) return {infinity, infinity};
+  const auto t1 = -b + sqrt(disc) / (2 * a);
+  const auto t2 = -b - sqrt(disc) / (2 * a);
+  return {t1, t2};
+}
+
+Color trace_ray(const Vec3& O, const Vec3& D, Real t_min, Real t_max, const Scene& scene) {
+  Real closest_t = infinity;
+  const Sphere* closest = nullptr;
+  for (const Sphere& s : scene.spheres) {
+    auto [t1, t2] = intersect_ray_sphere(O, D, s);
+    if (t1 >= t_min && t1 <= t_max && t1 < closest_t) {
+      closest_t = t1;
+      closest = &s;
+    }
+    if (t2 >= t_min && t2 <= t_max && t2 < closest_t) {
+      closest_t = t2;
+      closest = &s;
+    }
+  }
+  if (closest == nullptr) return scene.background_color;
+  return closest->color;
+}
+
+}  // namespace fos

@@ -1,0 +1,28 @@
+// named: L_not_normalised
+#include "fos/closest_hit.hpp"
+#include "fos/stage.hpp"
+
+namespace fos {
+
+Real compute_lighting(const Vec3& P, const Vec3& N, const Scene& scene) {
+  Real I = scene.ambient_intensity;
+  for (auto& pl : scene.point_lights) {
+    Real cos_a = dot(normalize(N), pl.position - P);
+    if (cos_a < 0) cos_a = 0;
+    I += pl.intensity * cos_a;
+  }
+  return I;
+}
+
+Color trace_ray(const Vec3& O, const Vec3& D, Real t_min, Real t_max, const Scene& scene) {
+  const auto hit = closest_hit(O, D, t_min, t_max, scene);
+  if (!hit) {
+    return scene.background_color;
+  }
+  Vec3 P = O + hit->t * D;
+  Vec3 N = P - hit->sphere->center;
+  N = N / length(N);
+  return hit->sphere->color * compute_lighting(P, N, scene);
+}
+
+}  // namespace fos

@@ -1,0 +1,29 @@
+// named: returns_when_lit
+#include "fos/closest_hit.hpp"
+#include "fos/stage.hpp"
+
+namespace fos {
+
+Real compute_lighting(const Vec3& P, const Vec3& N, const Scene& scene) {
+  for (const auto& light : scene.point_lights) {
+    Vec3 L = normalize(light.position - P);
+    if (dot(N, L) > 0) {
+      return scene.ambient_intensity + light.intensity * dot(N, L);
+    }
+  }
+  return scene.ambient_intensity;
+}
+
+Color trace_ray(const Vec3& O, const Vec3& D, Real t_min, Real t_max, const Scene& scene) {
+  const auto hit = closest_hit(O, D, t_min, t_max, scene);
+  if (!hit) {
+    return scene.background_color;
+  }
+  const Sphere& s = *hit->sphere;
+  auto P = O + D * hit->t;
+  auto N = normalize(P - s.center);   // κανονικό διάνυσμα
+  Real I = compute_lighting(P, N, scene);
+  return I * s.color;
+}
+
+}  // namespace fos
