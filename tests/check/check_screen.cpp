@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "comparison.hpp"
 #include "fos/text.hpp"
 #include "fos/whole_file.hpp"
 #include "preview.hpp"
@@ -56,9 +55,14 @@ std::string picture_line(const std::filesystem::path& path) {
   return say(text::check_picture, {quoted(path)}) + "\n";
 }
 
-std::vector<Panel> panels_of(const Findings& findings) {
+Difference difference_of(const Findings& findings) {
   if (!findings.shown || findings.shown->verdict.passes()) return {};
-  return compare(*findings.shown->judge, *findings.shown->frame);
+  return difference(*findings.shown->judge, *findings.shown->frame);
+}
+
+std::vector<Panel> panels_of(const Findings& findings, const Difference& differs) {
+  if (!findings.shown || findings.shown->verdict.passes()) return {};
+  return compare(*findings.shown->judge, *findings.shown->frame, differs);
 }
 
 std::string check_screen(const Findings& findings, const std::vector<Panel>& panels,

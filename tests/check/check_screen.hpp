@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "check_report.hpp"
+#include "comparison.hpp"
 #include "fos/bitmap.hpp"
 
 namespace fos {
@@ -19,8 +20,11 @@ struct Window {
 };
 
 /// The panels of the picture that goes with a check that does not pass; none where it passes or no
-/// frame came.
-std::vector<Panel> panels_of(const Findings& findings);
+/// frame came. `differs` is of the frame that is shown.
+std::vector<Panel> panels_of(const Findings& findings, const Difference& differs);
+
+/// What differs in the frame that is shown; nothing where it passes or none came.
+Difference difference_of(const Findings& findings);
 
 /// The picture's panels are at most about this large; they are what PictureJob calls panel_size.
 inline constexpr int check_panel_size = 400;

@@ -76,7 +76,7 @@ bool check_one(const Options& options, const Job& job, const Paint& paint) {
   const Findings findings = examine(*job.stage, job.program, patient_limits());
   std::optional<PictureMaker> maker;
   if (findings.shown && !findings.shown->verdict.passes()) maker.emplace(options.picture_program);
-  const std::vector<Panel> panels = panels_of(findings);
+  const std::vector<Panel> panels = panels_of(findings, difference_of(findings));
   std::cout << check_screen(findings, panels, options.images, paint,
                             {is_terminal(), terminal_width, 0})
             << std::flush;

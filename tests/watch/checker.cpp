@@ -92,13 +92,15 @@ void Checker::check(const CheckJob& job, long serial, const std::stop_token& sto
   const Built built = build_stage(places_.root, places_.build, stage, job.anew, stop);
   if (stop.stop_requested()) return;
   std::optional<Findings> findings;
+  Difference differs;
   std::vector<Panel> panels;
   Checked checked{serial, false, "", {}, ""};
   std::string compiler;
   if (built.is_built) {
     findings =
         examine(stage, places_.program("lab_" + std::string(stage.id)), patient_limits(), stop);
-    panels = panels_of(*findings);
+    differs = difference_of(*findings);
+    panels = panels_of(*findings, differs);
     checked.passes = findings->passes();
     checked.screen = check_screen(*findings, panels, places_.images(), paint_, job.window);
     if (!panels.empty()) checked.screen += picture_line(picture_path(stage, places_.images()));
@@ -125,6 +127,7 @@ void Checker::check(const CheckJob& job, long serial, const std::stop_token& sto
     view.stage = &stage;
     view.findings = findings ? &*findings : nullptr;
     view.compiler = compiler;
+    view.difference = std::move(differs);
     view_.write(view, maker_);
   } catch (const std::exception& error) {
     pictured.trouble = say(text::watch_no_view, {error.what()});

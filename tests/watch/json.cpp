@@ -53,15 +53,14 @@ std::string json_string(std::string_view text) {
 std::string base64(std::string_view bytes) {
   constexpr std::string_view alphabet =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  out.reserve((bytes.size() + 2) / 3 * 4);
+  std::string out((bytes.size() + 2) / 3 * 4, '=');
+  char* letter = out.data();
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     std::uint32_t bits = 0;
-    for (std::size_t j = 0; j < 3; ++j) {
-      const std::size_t at = i + j;
-      bits = bits << 8 | (at < bytes.size() ? static_cast<unsigned char>(bytes[at]) : 0U);
+    for (std::size_t j = i; j < i + 3; ++j) {
+      bits = bits << 8U | (j < bytes.size() ? static_cast<unsigned char>(bytes[j]) : 0U);
     }
-    for (int shift = 18; shift >= 0; shift -= 6) out += alphabet[bits >> shift & 63U];
+    for (const unsigned shift : {18U, 12U, 6U, 0U}) *letter++ = alphabet[bits >> shift & 63U];
   }
   for (std::size_t missing = (3 - bytes.size() % 3) % 3; missing > 0; --missing) {
     out[out.size() - missing] = '=';
