@@ -2,7 +2,7 @@
 //   fos_picture render --scene F --images FOLDER [--size WxH] [--output F] [--sheet] JOB...
 //     A JOB is NAME:STAGE:PROGRAM; its picture is FOLDER/NAME.png, or the one --output. --sheet
 //     also makes FOLDER/all.png of them all.
-//   fos_picture sheet COLUMNS PANEL_SIZE F.png      panels come on standard input
+//   fos_picture serve      makes what it is asked on standard input (fos/picture_job.hpp)
 #include <fmt/core.h>
 #include <getopt.h>
 
@@ -18,6 +18,7 @@
 #include "fos/stage_program.hpp"
 #include "fos/text.hpp"
 #include "fos/whole_file.hpp"
+#include "picture_serve.hpp"
 
 namespace {
 
@@ -248,12 +249,6 @@ int render_all(int argc, char** argv) {
   return status;
 }
 
-int make_sheet(int argc, char** argv) {
-  if (argc != 5) throw Failure{2, say(text::tool_usage)};
-  fos::write_sheet(argv[4], fos::read_panels(std::cin), std::stoi(argv[2]), std::stoi(argv[3]));
-  return 0;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -261,10 +256,11 @@ int main(int argc, char** argv) {
     std::cerr << say(text::tool_error) << ": " << message << '\n';
     return status;
   };
+  std::ios::sync_with_stdio(false);  // pictures come by the megabyte
   try {
     const std::string command = argc > 1 ? argv[1] : "";
     if (command == "render") return render_all(argc, argv);
-    if (command == "sheet") return make_sheet(argc, argv);
+    if (command == "serve") return fos::serve_pictures(std::cin, std::cout);
     return failed(2, say(text::tool_usage));
   } catch (const Failure& failure) {
     return failed(failure.status, failure.message);

@@ -179,7 +179,7 @@ Answer StageProgram::ask(const Request& request, const HeaderSink& on_header,
   return answer;
 }
 
-Answer StageProgram::ask(const Request& request, Frame& frame) {
+Answer StageProgram::ask(const Request& request, Frame& frame, const WaitSink& on_wait) {
   frame = {};
   return ask(
       request,
@@ -190,7 +190,7 @@ Answer StageProgram::ask(const Request& request, Frame& frame) {
         frame.channels.reserve(3 * pixels);
         frame.unwritten.reserve(pixels);
       },
-      [&](int /*row*/, const Row& row) { frame.append(row); });
+      [&](int /*row*/, const Row& row) { frame.append(row); }, on_wait);
 }
 
 }  // namespace fos

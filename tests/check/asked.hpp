@@ -1,8 +1,10 @@
 // Many scenes asked of a stage at once, as many at a time as there are processors.
 #pragma once
 
+#include <exception>
 #include <filesystem>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -18,8 +20,14 @@ struct Asked {
   std::string printed;
 };
 
-/// In any order, each by a fresh copy of the program; the answers are in the scenes' order.
+/// Thrown where the answers are not wanted any more.
+struct Stopped : std::exception {
+  const char* what() const noexcept override { return "stopped"; }
+};
+
+/// In any order, each by a fresh copy of the program; the answers are in the scenes' order. Throws
+/// Stopped soon after `stop` asks for it.
 std::vector<Asked> ask_all(const std::filesystem::path& program, const Limits& limits,
-                           const std::vector<SceneText>& scenes);
+                           const std::vector<SceneText>& scenes, const std::stop_token& stop = {});
 
 }  // namespace fos

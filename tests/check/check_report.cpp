@@ -53,13 +53,17 @@ const Finding* first_failure(const Findings& findings) {
   return first == findings.list.end() || is_untouched(findings) ? nullptr : &*first;
 }
 
+std::string summary(const Findings& findings) {
+  return say(text::check_points,
+             {std::to_string(findings.passed), std::to_string(findings.things),
+              points(findings.tenths()), std::to_string(findings.stage->points)});
+}
+
 std::string describe(const Findings& findings, const Paint& paint) {
   const Stage& stage = *findings.stage;
   std::string out = paint.bold(std::string(stage.id)) + " · " + say(stage.name) + "\n";
   for (const Finding& finding : findings.list) out += line(finding, paint);
-  const std::string sum =
-      say(text::check_points, {std::to_string(findings.passed), std::to_string(findings.things),
-                               points(findings.tenths()), std::to_string(stage.points)});
+  const std::string sum = summary(findings);
   out += (findings.passes() ? paint.green(sum) : paint.bold(sum)) + "\n";
   if (!findings.note.empty()) out += "\n" + wrapped(findings.note);
   const Finding* first = first_failure(findings);

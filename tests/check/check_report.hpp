@@ -13,6 +13,9 @@ namespace fos {
 /// that fails the pixel with what was expected and what came.
 std::string describe(const Findings& findings, const Paint& paint);
 
+/// How many things are right, and the points.
+std::string summary(const Findings& findings);
+
 /// The first thing that fails, or nothing.
 const Finding* first_failure(const Findings& findings);
 

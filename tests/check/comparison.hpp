@@ -24,7 +24,7 @@ Difference difference(const Judge& judge, const Frame& frame);
 /// Three labelled panels of the frame's size times a whole number, the worst pixel circled in each.
 /// In the third, blue is less and orange more, its full color being the largest difference, which
 /// the label states; white is right.
-std::vector<Panel> compare(const Judge& judge, const Frame& frame);
+std::vector<Panel> compare(const Judge& judge, const Frame& frame, const Difference& differs);
 
 /// The third panel's colors for each pixel, not magnified: for a preview.
 Bitmap to_bitmap(const Difference& difference, int width, int height);

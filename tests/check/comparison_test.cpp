@@ -24,7 +24,7 @@ TEST_CASE("the right frame differs nowhere") {
   const Difference none = difference(judge(), judge().exact());
   CHECK(none.largest == 0);
   CHECK_FALSE(none.worst);
-  const auto panels = compare(judge(), judge().exact());
+  const auto panels = compare(judge(), judge().exact(), none);
   REQUIRE(panels.size() == 3);
   for (const std::uint8_t channel : panels[2].bitmap.rgb) REQUIRE(channel == 255);
 }
@@ -62,7 +62,7 @@ TEST_CASE("the worst pixel is circled in each of three large panels") {
   const int center = frame.header.width / 2;
   const auto index = static_cast<std::size_t>(center * frame.header.width + center);
   frame.channels[3 * index] += 40;
-  const auto panels = compare(judge(), frame);
+  const auto panels = compare(judge(), frame, difference(judge(), frame));
   REQUIRE(panels.size() == 3);
   for (const Panel& panel : panels) {
     CHECK(panel.bitmap.width > 200);

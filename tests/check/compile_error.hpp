@@ -17,10 +17,10 @@ struct CompileError {
   std::string word;     ///< what to do about it; empty for what is not common
 };
 
-/// The first error in `file` or reached from it: in a header that it includes, in a template that it
-/// uses. `output` may hold other files' errors, warnings, and ninja's lines, in English; paths in it
-/// are absolute or relative. An error of the linker counts where there is none of the compiler.
-/// Nothing where no error has to do with the file.
+/// The first error in `file` or reached from it: in a header that it includes, in a template that
+/// it uses. `output` may hold other files' errors, warnings, and ninja's lines, in English; paths
+/// in it are absolute or relative. An error of the linker counts where there is none of the
+/// compiler. Nothing where no error has to do with the file.
 std::optional<CompileError> find_compile_error(std::string_view output,
                                                const std::filesystem::path& file);
 

@@ -34,8 +34,9 @@ class Answers {
     }
   }
 
-  void ask(const std::filesystem::path& program, const Limits& limits) {
-    answers_ = ask_all(program, limits, scenes_);
+  void ask(const std::filesystem::path& program, const Limits& limits,
+           const std::stop_token& stop) {
+    answers_ = ask_all(program, limits, scenes_, stop);
     for (const Asked& asked : answers_) {
       if (asked.answer.ending == Ending::did_not_start) {
         throw std::runtime_error(describe(asked.answer, program.string()));
@@ -138,10 +139,11 @@ Finding find_whole_frames(const Stage& stage, const Answers& answers, Findings& 
 
 }  // namespace
 
-Findings examine(const Stage& stage, const std::filesystem::path& program, const Limits& limits) {
+Findings examine(const Stage& stage, const std::filesystem::path& program, const Limits& limits,
+                 const std::stop_token& stop) {
   const StageTest& test = stage_test(stage.id);
   Answers answers(stage, test);
-  answers.ask(program, limits);
+  answers.ask(program, limits, stop);
   Findings findings;
   findings.stage = &stage;
   for (const Check& check : test.checks) findings.list.push_back(find(check, answers));

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -58,8 +59,10 @@ struct Findings {
 };
 
 /// Asks `program` for every scene, each by a fresh copy, since a stage may keep statics; several at
-/// a time. Throws where a reference cannot be read, or the program is not there.
-Findings examine(const Stage& stage, const std::filesystem::path& program, const Limits& limits);
+/// a time. Throws where a reference cannot be read, or the program is not there, and Stopped soon
+/// after `stop` asks for it.
+Findings examine(const Stage& stage, const std::filesystem::path& program, const Limits& limits,
+                 const std::stop_token& stop = {});
 
 /// The limits that end what never ends, and fail nobody on a busy machine.
 Limits patient_limits();

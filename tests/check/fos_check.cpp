@@ -1,23 +1,21 @@
-// `fos_check [--overview] --images FOLDER --picture PROGRAM STAGE=PROGRAM…`: what ./lab check says.
-// STAGE=!FILE is a stage that does not build; FILE has what the compiler said.
+// `fos_check [--overview] --root TREE --images FOLDER --picture PROGRAM STAGE=PROGRAM…`: what ./lab
+// check says. STAGE=!FILE is a stage that does not build; FILE has what the compiler said.
 //
 // Exit status: 0 every stage passes, 1 not, 2 wrong usage, 3 the toolkit's own trouble.
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "advice.hpp"
-#include "check_report.hpp"
-#include "comparison.hpp"
+#include "check_screen.hpp"
+#include "compile_error.hpp"
 #include "fos/text.hpp"
-#include "fos/whole_file.hpp"
-#include "picture_of_check.hpp"
-#include "preview.hpp"
+#include "picture_maker.hpp"
 
 namespace {
 
@@ -31,6 +29,7 @@ struct Job {
 
 struct Options {
   bool overview = false;
+  std::filesystem::path root;  ///< where labs/ is
   std::filesystem::path images;
   std::filesystem::path picture_program;
   std::vector<Job> jobs;
@@ -39,14 +38,6 @@ struct Options {
 struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-
-/// As one word for a shell, and as short as can be from here.
-std::string quoted(const std::filesystem::path& path) {
-  const std::filesystem::path from_here = path.lexically_proximate(std::filesystem::current_path());
-  const bool below = !from_here.empty() && *from_here.begin() != "..";
-  const std::string word = (below ? from_here : path).string();
-  return word.find(' ') == std::string::npos ? word : "'" + word + "'";
-}
 
 Job parse_job(const std::string& argument) {
   const std::size_t equals = argument.find('=');
@@ -63,10 +54,13 @@ Options parse(const std::vector<std::string>& arguments) {
   Options options;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& argument = arguments[i];
-    const bool has_value = argument == "--images" || argument == "--picture";
+    const bool has_value =
+        argument == "--root" || argument == "--images" || argument == "--picture";
     if (has_value && i + 1 == arguments.size()) throw UsageError(argument);
     if (argument == "--overview") {
       options.overview = true;
+    } else if (argument == "--root") {
+      options.root = arguments[++i];
     } else if (argument == "--images") {
       options.images = arguments[++i];
     } else if (argument == "--picture") {
@@ -79,52 +73,33 @@ Options parse(const std::vector<std::string>& arguments) {
   return options;
 }
 
-/// How to see the pixel worked out. A scene that is no file yet becomes one.
-std::string explain_line(const Options& options, const Stage& stage, const Spot& spot) {
-  std::string scene;
-  if (!spot.scene_text.empty()) {
-    const auto path = options.images / (std::string(stage.id) + "-check.scene");
-    write_whole_file(path, spot.scene_text);
-    scene = " --scene " + quoted(path);
-  }
-  return say(text::check_explain) + "\n" +
-         fmt::format("  ./lab explain {} {} {}{}\n", stage.id, spot.pixel.column, spot.pixel.row,
-                     scene);
-}
-
-/// A stage in full. The picture comes last: it alone takes longer than all the rest.
+/// A stage in full. The picture comes last: it alone takes longer than all the rest, and a check
+/// that passes never waits for it.
 bool check_one(const Options& options, const Job& job, const Paint& paint) {
   if (job.program.empty()) {
-    std::cout << paint.bold(job.stage->id) << " · " << say(job.stage->name) << '\n'
-              << "  " << paint.red("✗") << ' ' << say(text::check_does_not_build) << "\n\n";
+    std::ifstream log(job.log);
+    const std::string output{std::istreambuf_iterator<char>(log), {}};
+    const std::string file = stage_file(*job.stage);
+    std::cout << check_screen(*job.stage, describe_compile_error(output, options.root / file, file),
+                              paint);
     return false;
   }
   const Findings findings = examine(*job.stage, job.program, patient_limits());
-  std::cout << describe(findings, paint);
-  std::vector<Panel> panels;
-  if (findings.shown && !findings.shown->verdict.passes()) {
-    panels = compare(*findings.shown->judge, *findings.shown->frame);
-  }
-  if (is_terminal() && findings.shown) {
-    std::cout << '\n'
-              << preview(panels.empty() ? std::vector<Panel>{{say(text::check_yours),
-                                                              to_bitmap(*findings.shown->frame)}}
-                                        : panels,
-                         24, paint.colors());
-  }
-  if (first_failure(findings) != nullptr) {
-    const Advice advice = advise(*job.stage, job.program, patient_limits());
-    if (!advice.words.empty()) std::cout << '\n' << advice.words;
-  }
-  std::cout << '\n' << next_step(findings) << std::flush;
-  if (const Finding* first = first_failure(findings); first != nullptr && first->spot) {
-    std::cout << explain_line(options, *job.stage, *first->spot) << std::flush;
-  }
-  if (!panels.empty()) {
-    const auto path = options.images / (std::string(job.stage->id) + "-check.png");
-    if (write_picture(options.picture_program, path, panels)) {
-      std::cout << say(text::check_picture, {quoted(path)}) << '\n';
-    }
+  std::optional<PictureMaker> maker;
+  if (findings.shown && !findings.shown->verdict.passes()) maker.emplace(options.picture_program);
+  const std::vector<Panel> panels = panels_of(findings, difference_of(findings));
+  const std::string advice = first_failure(findings) == nullptr
+                                 ? ""
+                                 : advise(*job.stage, job.program, patient_limits()).words;
+  std::cout << check_screen(findings, advice, panels, options.images, paint,
+                            {is_terminal(), terminal_width, 0})
+            << std::flush;
+  if (panels.empty()) return findings.passes();
+  const auto path = picture_path(*job.stage, options.images);
+  if (maker->make({path, panels, check_panel_size})) {
+    std::cout << picture_line(path);
+  } else {
+    std::cerr << maker->error() << '\n';
   }
   return findings.passes();
 }

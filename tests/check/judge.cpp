@@ -144,10 +144,16 @@ void Judge::each_wrong(const Frame& frame, const std::function<void(Pixel)>& vis
   }
 }
 
-Frame Judge::exact() const {
+const Frame& Judge::exact() const {
+  std::call_once(made_exact_, [&] { exact_ = make_exact(); });
+  return exact_;
+}
+
+Frame Judge::make_exact() const {
   Frame frame;
   frame.header = {reference_.width, reference_.height, Precision::binary64};
   frame.unwritten.resize(reference_.pixels.size());
+  frame.channels.reserve(3 * reference_.pixels.size());
   for (int row = 0; row < reference_.height; ++row) {
     for (int column = 0; column < reference_.width; ++column) {
       const auto certified =

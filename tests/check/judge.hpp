@@ -9,6 +9,7 @@
 
 #include <array>
 #include <functional>
+#include <mutex>
 #include <vector>
 
 #include "fos/frame.hpp"
@@ -69,14 +70,16 @@ class Judge {
   /// Calls `visit` for each pixel that does not pass, row by row.
   void each_wrong(const Frame& frame, const std::function<void(Pixel)>& visit) const;
 
-  /// The exact picture, at double precision.
-  Frame exact() const;
+  /// The exact picture, at double precision. Made at the first call, and kept: it takes longer than
+  /// to judge one.
+  const Frame& exact() const;
 
  private:
   enum class Judged { right, right_to_float, not_judged, wrong, unwritten, not_finite };
   Judged judge(const Frame& frame, Pixel pixel) const;
   bool accepts(const reference::Accepted& accepted, reference::Precision precision,
                std::span<const long double, 3> channels) const;
+  Frame make_exact() const;
   Expected expect(const reference::Answer& answer, reference::Precision precision) const;
 
   reference::Reference reference_;
@@ -84,6 +87,8 @@ class Judge {
   unsigned terms_;
   double ambient_ = 0;
   std::vector<std::array<double, 3>> colors_;  // the background's, then the spheres'
+  mutable std::once_flag made_exact_;
+  mutable Frame exact_;
 };
 
 }  // namespace fos

@@ -20,6 +20,10 @@ struct Bitmap {
 /// The bytes that a PNG of the frame holds.
 Bitmap to_bitmap(const Frame& frame);
 
+/// The same picture made smaller, neither side becoming longer: each pixel is the mean of what it
+/// covers, also where it covers a part of a pixel.
+Bitmap shrunk(const Bitmap& bitmap, int width, int height);
+
 /// A picture with its label, for a sheet.
 struct Panel {
   std::string label;
@@ -27,10 +31,10 @@ struct Panel {
 };
 
 /// How panels travel to the picture program: a line `panel WIDTH HEIGHT LABEL_BYTES`, the label,
-/// the pixels; one panel after the other.
+/// the pixels.
 std::string encode(const Panel& panel);
 
-/// All panels up to the end of the input. Throws std::runtime_error where there is something else.
-std::vector<Panel> read_panels(std::istream& in);
+/// The next panel. Throws std::runtime_error where there is something else, or nothing.
+Panel read_panel(std::istream& in);
 
 }  // namespace fos

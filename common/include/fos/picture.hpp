@@ -52,4 +52,10 @@ class PictureWriter {
 void write_sheet(const std::filesystem::path& path, const std::vector<Panel>& panels, int columns,
                  int panel_size);
 
+/// A PNG of exactly these pixels. Throws FileError.
+void write_png(const std::filesystem::path& path, const Bitmap& bitmap);
+
+/// What the first picture would wait for, beyond the start of the program: the font.
+void warm_up_pictures();
+
 }  // namespace fos

@@ -61,7 +61,8 @@ class StageProgram {
       const WaitSink& on_wait = [] {});
 
   /// The same, kept in memory: as much of the frame as came.
-  Answer ask(const Request& request, Frame& frame);
+  Answer ask(
+      const Request& request, Frame& frame, const WaitSink& on_wait = [] {});
 
   /// The first few KiB of what the program printed before its last answer ended, where it is heard:
   /// all of it where it crashed or left, and only what it had flushed where the frame came.

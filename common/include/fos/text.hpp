@@ -50,6 +50,7 @@ namespace text {
 #include "stage.def"
 #include "tool.def"
 #include "trade.def"
+#include "watch.def"
 #undef TEXT
 }  // namespace text
 
