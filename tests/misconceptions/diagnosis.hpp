@@ -50,7 +50,4 @@ Diagnosis diagnose(const Stage& stage, std::span<const Frame> frames);
 /// and where to look, a line each, the last two indented. Empty where nothing is named.
 std::vector<std::string> describe(const Diagnosis& diagnosis);
 
-/// The data of a stage. They are read once and kept.
-const struct StageMistakes& mistakes_of(const Stage& stage);
-
 }  // namespace fos
