@@ -8,8 +8,8 @@ namespace {
 std::vector<Mistake> finishing(const Stage& stage) {
   std::vector<Mistake> mistakes;
   for (const Misconception& each : misconceptions()) {
-    const bool finishes = each.slot == Slot::ending || each.slot == Slot::background;
-    if (finishes && (each.stages & stage_bit(stage.id)) != 0) mistakes.push_back(each.mistake);
+    if (is_finish(each) && (each.stages & stage_bit(stage.id)) != 0)
+      mistakes.push_back(each.mistake);
   }
   return mistakes;
 }

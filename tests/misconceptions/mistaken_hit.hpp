@@ -33,7 +33,8 @@ class MistakenHit {
       ++number;
       const auto [t1, t2] = intersect(O, D, sphere);
       for (const T t : {t1, t2}) {
-        if (!(t_min <= t && t <= t_max) || t == infinity) continue;
+        const bool counts = is(Mistake::t_min_excluded) ? t_min < t : t_min <= t;
+        if (!counts || !(t <= t_max) || t == infinity) continue;
         bool taken = t < closest.t;
         if (is(Mistake::first_sphere)) taken = closest.sphere == 0;
         if (is(Mistake::last_sphere)) taken = true;

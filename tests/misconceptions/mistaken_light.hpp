@@ -63,7 +63,6 @@ class MistakenLight {
     if (added_last()) add(sum.i, I_A);
     if (is(Mistake::ambient_multiplied)) sum.i *= I_A;
     if (is(Mistake::ambient_is_floor)) sum.i = std::max(sum.i, I_A);
-    if (is(Mistake::cut_off_at_1)) sum.i = std::min(T(1), sum.i);
     return sum.i;
   }
 
@@ -107,13 +106,15 @@ class MistakenLight {
     if (is(Mistake::first_light_only) && number > 0) return;
     ++sum.lights;
     const T I_A = is(Mistake::ambient_forgotten) ? T(0) : T(scene_.ambient_intensity);
-    if (is(Mistake::ambient_per_light)) add(sum.i, I_A);
+    if (is(Mistake::ambient_per_light) || is(Mistake::ambient_again_per_light)) add(sum.i, I_A);
     T n_dot_l = dot(N, L);
     if (is(Mistake::absolute_cosine)) n_dot_l = std::abs(n_dot_l);
     bool lit = n_dot_l > 0 || is(Mistake::negative_kept);
     if (is(Mistake::sign_reversed)) lit = n_dot_l < 0;
     if (lit) {
-      if (is(Mistake::ambient_per_lit_light)) add(sum.i, I_A);
+      if (is(Mistake::ambient_per_lit_light) || is(Mistake::ambient_again_per_lit_light)) {
+        add(sum.i, I_A);
+      }
       combine(sum.i, term(intensity, n_dot_l, P, N, L, is_point));
       if (is(Mistake::returns_when_lit)) sum.stopped = sum.returned = true;
     } else {
@@ -153,6 +154,7 @@ class MistakenLight {
     if (is(Mistake::divided_by_L_squared)) cosine = n_dot_l / (length_N * dot(L, L));
     if (is(Mistake::multiplied_by_L)) cosine = n_dot_l / length_N * length_L;
     if (is(Mistake::divided_by_P)) cosine = n_dot_l / (length_N * length(P));
+    if (is(Mistake::length_is_3) || is(Mistake::every_length_is_3)) cosine = n_dot_l / 9;
     if (is(Mistake::falloff) && is_point) cosine /= dot(L, L);
 
     T share = cosine;

@@ -10,7 +10,7 @@
 #include <limits>
 #include <optional>
 
-#include "ending.hpp"
+#include "finish.hpp"
 #include "mistaken_hit.hpp"
 #include "mistaken_light.hpp"
 #include "mistakes.hpp"
@@ -48,16 +48,21 @@ class MistakenTracer {
     if (is(Mistake::t_min_behind)) t_min = -std::numeric_limits<T>::infinity();
     const auto hit = hits_.closest_hit(O, D, t_min, t_max);
     if (hit.sphere == 0) {
-      return {0, 1, is(Mistake::black_background) ? Vec(0) : Vec(scene_.background_color)};
+      return {0, 1, background<T>(mistakes_, scene_.background_color)};
     }
     const auto& sphere = scene_.spheres[static_cast<std::size_t>(hit.sphere) - 1];
     if (terms_ == 0) return {hit.sphere, 1, ended<T>(ending_, sphere.color, 1), hit.t};
 
     const Vec P = point(O, D, hit.t);
     Vec N = normal(P, sphere.center, O, D);
-    if (!is(Mistake::N_not_normalised)) N = N / length(N);
-    const T I = is(Mistake::P_and_N_swapped) ? light_.lighting(N, P, sphere.center, O, D)
-                                             : light_.lighting(P, N, sphere.center, O, D);
+    if (is(Mistake::every_length_is_3)) {
+      N = N / T(3);
+    } else if (!is(Mistake::N_not_normalised)) {
+      N = N / length(N);
+    }
+    T I = is(Mistake::P_and_N_swapped) ? light_.lighting(N, P, sphere.center, O, D)
+                                       : light_.lighting(P, N, sphere.center, O, D);
+    I = total<T>(mistakes_, I);
     return {hit.sphere, I, ended<T>(ending_, sphere.color, I), hit.t};
   }
 
@@ -67,6 +72,7 @@ class MistakenTracer {
   Vec point(const Vec& O, const Vec& D, T t) const {
     if (is(Mistake::P_without_O)) return t * D;
     if (is(Mistake::P_without_t)) return O + D;
+    if (is(Mistake::O_and_D_swapped)) return D + t * O;
     if (is(Mistake::P_along_unit_D)) return O + t * (D / length(D));
     return O + t * D;
   }
