@@ -53,7 +53,4 @@ std::vector<std::string> describe(const Diagnosis& diagnosis);
 /// The names alone, in one line; empty where nothing is named.
 std::string names(const Diagnosis& diagnosis);
 
-/// The data of a stage. They are read once and kept.
-const struct StageMistakes& mistakes_of(const Stage& stage);
-
 }  // namespace fos

@@ -32,7 +32,8 @@ std::string ids(const Diagnosis& diagnosis) {
   }
   for (const auto& each : diagnosis.one_of) {
     all.append("| ");
-    for (const MistakeMade& finding : each) all.append(misconception(finding.mistake).id).append(" ");
+    for (const MistakeMade& finding : each)
+      all.append(misconception(finding.mistake).id).append(" ");
   }
   return all.empty() ? "nothing" : all;
 }
