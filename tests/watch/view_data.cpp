@@ -75,7 +75,7 @@ std::string pictures(const View& view) {
   std::string urls;
   for (const std::string& png : view.pictures) {
     if (!urls.empty()) urls += ",\n";
-    urls += json_string("data:image/png;base64," + base64(png));
+    urls += "\"data:image/png;base64," + base64(png) + "\"";
   }
   std::string parts;
   for (const int part : view.parts) parts += (parts.empty() ? "" : ", ") + std::to_string(part);
@@ -131,7 +131,7 @@ std::vector<ValuesPart> values_scripts(const Shown& shown, const std::string& id
     parts.push_back({number, "fosValues(" +
                                  object({{"id", json_string(id)},
                                          {"part", std::to_string(number)},
-                                         {"data", json_string(base64(data))}}) +
+                                         {"data", "\"" + base64(data) + "\""}}) +
                                  ");\n"});
   }
   return parts;

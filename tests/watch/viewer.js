@@ -3,6 +3,7 @@
 // Text comes from the student's program and compiler too: it is only ever set as text.
 const at = (id) => document.getElementById(id);
 const fill = (text, ...values) => text.replace(/\{(\d)\}/g, (_, i) => values[i]);
+const lensScale = 9; // 15 pixels in each direction, as large as this
 const kinds = ["yours", "expected", "difference"];
 
 let view = null; // the newest check
@@ -135,7 +136,7 @@ function makePanels(width, height) {
     canvas.width = width;
     canvas.height = height;
     canvas.id = kind;
-    lens.width = lens.height = 15;
+    lens.width = lens.height = 15 * lensScale;
     canvas.getContext("2d", { willReadFrequently: true });
     canvas.addEventListener("click", (event) => {
       const box = canvas.getBoundingClientRect();
@@ -168,10 +169,13 @@ function showPixel() {
     mark.style.left = `${((column + 0.5) / width) * 100}%`;
     mark.style.top = `${((row + 0.5) / height) * 100}%`;
     const glass = lens.getContext("2d");
-    glass.clearRect(0, 0, 15, 15);
-    glass.drawImage(canvas, column - 7, row - 7, 15, 15, 0, 0, 15, 15);
-    glass.strokeStyle = "#888";
-    glass.strokeRect(6.5, 6.5, 2, 2);
+    glass.imageSmoothingEnabled = false;
+    glass.clearRect(0, 0, lens.width, lens.height);
+    glass.drawImage(canvas, column - 7, row - 7, 15, 15, 0, 0, lens.width, lens.height);
+    for (const [color, out] of [["#000", 0.5], ["#fff", 1.5]]) {
+      glass.strokeStyle = color;
+      glass.strokeRect(7 * lensScale - out, 7 * lensScale - out, lensScale + 2 * out, lensScale + 2 * out);
+    }
     return [...canvas.getContext("2d").getImageData(column, row, 1, 1).data.slice(0, 3)];
   });
   const part = Math.floor(row / rowsOfPart);
