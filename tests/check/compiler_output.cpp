@@ -90,7 +90,8 @@ class Reader {
     for (const std::string_view what : {"undefined reference to ", "multiple definition of "}) {
       const std::size_t found = line.find(what);
       if (found == std::string_view::npos) continue;
-      output.errors.push_back({{}, std::string(line.substr(found)), {}});
+      Diagnostic& error = output.errors.emplace_back();
+      error.message = line.substr(found);
       in_error_ = true;
       before_.clear();
       return true;

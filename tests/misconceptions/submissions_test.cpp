@@ -8,14 +8,13 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
-#include <map>
 #include <set>
 #include <sstream>
 
 #include "catch2.hpp"
 #include "diagnosis.hpp"
+#include "examine.hpp"
 #include "fos/stage_program.hpp"
-#include "judge.hpp"
 
 using namespace fos;
 
@@ -49,28 +48,8 @@ Frame ask(const Submission& submission, const SceneText& scene) {
   return frame;
 }
 
-const Judge& judge_of(const Stage& stage, std::string_view scene) {
-  static std::map<std::pair<std::string_view, std::string_view>, Judge> kept;
-  const auto found = kept.find({stage.id, scene});
-  if (found != kept.end()) return found->second;
-  const std::filesystem::path data = FOS_REFERENCE_DATA;
-  return kept
-      .emplace(std::pair(stage.id, scene),
-               Judge(reference::read_reference(data / fmt::format("{}.ref", scene)), stage.terms))
-      .first->second;
-}
-
 bool passes(const Submission& submission) {
-  // The small scenes first: most mistakes show in them.
-  std::vector<std::string_view> scenes(submission.stage->scenes.begin(),
-                                       submission.stage->scenes.end());
-  std::stable_partition(scenes.begin(), scenes.end(),
-                        [](auto scene) { return scene != "lecture"; });
-  return std::all_of(scenes.begin(), scenes.end(), [&](auto scene) {
-    const Judge& judge = judge_of(*submission.stage, scene);
-    const Frame frame = ask(submission, judge.scene());
-    return !frame.channels.empty() && judge.judge(frame).passes();
-  });
+  return examine(*submission.stage, submission.program, patient_limits()).passes();
 }
 
 std::string word(const std::vector<MistakeMade>& findings) {
