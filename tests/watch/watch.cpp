@@ -42,7 +42,7 @@ int Watch::run() {
        say(text::watch_viewer, {checker_.view().url()}) + "\n\n");
   looked_ = Clock::now();
   saved_ = looked_;
-  check(false);
+  check(true);  // an older build may be of another content, whatever its time
   while (!done_) {
     wait();
     while (const int signal = signals_.next()) on_signal(signal);
@@ -158,7 +158,7 @@ void Watch::on_key(Key key) {
       return run_lab({"check"});
     case Key::check:
       saved_ = Clock::now();
-      return check(false);
+      return check(true);
     case Key::next:
       if (has_verdict_ && verdict_.passes && next_stage() != nullptr) {
         return watch_stage(*next_stage());
@@ -179,7 +179,7 @@ void Watch::watch_stage(const Stage& stage) {
   terminal_.clear();
   show(wrapped(say(text::watch_begins, {stage_file(stage)}), 0, terminal_.size().columns));
   saved_ = Clock::now();
-  check(false);
+  check(true);
 }
 
 void Watch::run_lab(const std::vector<std::string>& words) {
