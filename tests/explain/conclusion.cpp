@@ -104,7 +104,7 @@ class Speaker {
   }
   std::string channels() const { return triple_text(question().given.channels); }
   std::string right_channels() const {
-    Channels right{};
+    LinearChannels right{};
     for (std::size_t i = 0; i < 3; ++i) {
       const Interval& channel = question().expected.front().channels[i];
       right[i] = (channel.low + channel.high) / 2;

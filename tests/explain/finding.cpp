@@ -9,7 +9,7 @@
 namespace fos {
 namespace {
 
-bool is_finite(const Channels& channels) {
+bool is_finite(const LinearChannels& channels) {
   return std::isfinite(channels[0]) && std::isfinite(channels[1]) && std::isfinite(channels[2]);
 }
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "asked.hpp"
+#include "asked_pixel.hpp"
 #include "fos/scene_text.hpp"
 
 namespace fos {
@@ -24,7 +24,7 @@ struct Hue {
 /// `channels` are finite. Without light (the stage has no terms) only the color itself fits.
 /// A channel above 255 fits one that is cut off there; whole numbers fit what they may be
 /// rounded from.
-Hue hue_of(const Channels& channels, const SceneText& scene, bool with_light);
+Hue hue_of(const LinearChannels& channels, const SceneText& scene, bool with_light);
 
 /// The I of a pixel of this color.
 struct SeenI {
@@ -33,9 +33,9 @@ struct SeenI {
 };
 
 /// From the largest channel that is not cut off; nothing for a black color.
-std::optional<SeenI> I_of(const Channels& channels, const DecimalTriple& color);
+std::optional<SeenI> I_of(const LinearChannels& channels, const DecimalTriple& color);
 
 /// Whether all are whole numbers, and not all 0 or white.
-bool are_whole(const Channels& channels);
+bool are_whole(const LinearChannels& channels);
 
 }  // namespace fos

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "asked.hpp"
+#include "asked_pixel.hpp"
 #include "hue.hpp"
 #include "judge.hpp"
 

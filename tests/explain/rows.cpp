@@ -170,7 +170,7 @@ class Rows {
       return;
     }
     const Question& whole = comparison_->whole();
-    const Channels& yours = whole.given.channels;
+    const LinearChannels& yours = whole.given.channels;
     const Mark mark = differs                                  ? Mark::different
                       : whole.standing == Standing::not_judged ? Mark::open
                                                                : Mark::same;

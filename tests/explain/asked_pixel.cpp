@@ -1,4 +1,4 @@
-#include "asked.hpp"
+#include "asked_pixel.hpp"
 
 #include "hushed.hpp"
 #include "scene_source.hpp"

@@ -9,11 +9,11 @@
 
 namespace fos {
 
-using Channels = std::array<long double, 3>;  ///< red, green, blue, 0..255 and unclamped
+using LinearChannels = std::array<long double, 3>;  ///< red, green, blue, 0..255 and unclamped
 
 struct Given {
   Answer answer;  ///< complete: the pixel came, whatever would come after it
-  Channels channels{};
+  LinearChannels channels{};
   bool unwritten = false;
   std::string words;  ///< the first of what the program said on standard error
 
