@@ -1,6 +1,7 @@
 #include "drawing.hpp"
 
 #include "catch2.hpp"
+#include "layout.hpp"
 #include "page.hpp"
 
 using namespace fos;

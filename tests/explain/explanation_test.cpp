@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "catch2.hpp"
+#include "layout.hpp"
 #include "page.hpp"
 #include "test_scenes.hpp"
 

@@ -4,17 +4,18 @@
 
 #include <algorithm>
 
+#include "layout.hpp"
+
 namespace fos {
 namespace {
 
-constexpr std::size_t page_columns = 80;
 // Two blanks, name, right, yours, mark.
 constexpr std::size_t name_columns = 24;
 constexpr std::size_t right_columns = 35;
 constexpr std::size_t yours_columns = 16;
 
 std::string padded(std::string_view text, std::size_t columns) {
-  const std::size_t used = columns_of(text);
+  const auto used = static_cast<std::size_t>(columns_of(text));
   return std::string(text) + std::string(used < columns ? columns - used : 0, ' ');
 }
 
@@ -25,11 +26,6 @@ std::string trimmed(std::string line) {
 
 }  // namespace
 
-std::size_t columns_of(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) >> 6) != 2; }));
-}
-
 void Page::line(std::string_view words) { text_ += std::string(words) + '\n'; }
 
 void Page::paragraph(std::string_view words) {
@@ -37,7 +33,7 @@ void Page::paragraph(std::string_view words) {
   while (!words.empty()) {
     const std::size_t end = words.find(' ');
     const std::string_view word = words.substr(0, end);
-    if (!current.empty() && columns_of(current) + 1 + columns_of(word) > page_columns) {
+    if (!current.empty() && columns_of(current) + 1 + columns_of(word) > terminal_width) {
       line(current);
       current.clear();
     }

@@ -36,7 +36,4 @@ class Page {
   std::string text_;
 };
 
-/// How many columns a text takes, every character being one wide.
-std::size_t columns_of(std::string_view text);
-
 }  // namespace fos

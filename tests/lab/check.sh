@@ -9,7 +9,7 @@ source "$(dirname "$0")/harness.bash" "$1"
 asked() { [[ $(tail -n 1 "$STATE/calls") == "$*" ]]; }
 built() { [[ $(grep -e '^ninja.*-k 0' "$STATE/calls" | tail -n 1) == *"-k 0 $1" ]]; }
 bin() { echo "$TREE/build/release/bin/$1"; }
-with=(--images "$TREE/build/images" --picture "$(bin fos_picture)")
+with=(--root "$TREE" --images "$TREE/build/images" --picture "$(bin fos_picture)")
 log() { echo "$TREE/build/logs/lab_$1.log"; }
 
 make_tree
