@@ -128,7 +128,8 @@ void Checker::check(const CheckJob& job, long serial, const std::stop_token& sto
     view.findings = findings ? &*findings : nullptr;
     view.compiler = compiler;
     view.difference = std::move(differs);
-    view_.write(view, maker_);
+    const std::string trouble = view_.write(std::move(view), maker_);
+    if (!trouble.empty()) pictured.trouble = trouble;
   } catch (const std::exception& error) {
     pictured.trouble = say(text::watch_no_view, {error.what()});
   }

@@ -187,7 +187,8 @@ session ''
 comes 'q quit'
 wait_for_picture() { for _ in {1..100}; do [[ -s $TREE/build/images/point-check.png ]] && return || sleep 0.1; done; false; }
 check 'a picture' wait_for_picture
-sleep 0.5
+wait_for_page() { for _ in {1..200}; do [[ $TREE/build/images/view-now.js -nt $TREE/build/images/point-check.png ]] && return || sleep 0.1; done; false; }
+check 'the page follows' wait_for_page
 pkill -KILL -P "$(process)" fos_picture
 fresh && touch "$TREE/labs/lecture04/point.cpp"
 comes 'no picture was made'
