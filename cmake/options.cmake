@@ -26,6 +26,6 @@ if(FOS_FUZZ)
 endif()
 
 # What differs for a stage: a parameter that it does not use yet is no mistake, N in `ambient`, all of
-# them in a stub.
+# them in a stub; and a function that ends without its return is one, for it would run on into the next.
 add_library(fos_stage_options INTERFACE)
-target_compile_options(fos_stage_options INTERFACE -Wno-unused-parameter)
+target_compile_options(fos_stage_options INTERFACE -Wno-unused-parameter -Werror=return-type)

@@ -3,8 +3,8 @@
 
 # The packages, by what they are for; the texts lab_missing_… say why.
 declare -A PACKAGES=(
-  [build]="g++ cmake ninja-build libglm-dev libfmt-dev tao-pegtl-dev libopenimageio-dev openimageio-tools fonts-dejavu-core"
-  [test]="catch2 libmpfi-dev libgmp-dev libmpfr-dev libhwy-dev zlib1g-dev"
+  [build]="g++ cmake ninja-build libglm-dev libfmt-dev tao-pegtl-dev libopenimageio-dev openimageio-tools zlib1g-dev fonts-dejavu-core"
+  [test]="catch2 libmpfi-dev libgmp-dev libmpfr-dev libhwy-dev"
   [plot]="gnuplot-nox"
   [check]="clang clang-format clang-tidy libclang-rt-dev shellcheck"
 )

@@ -65,11 +65,12 @@ std::vector<Panel> panels_of(const Findings& findings, const Difference& differs
   return compare(*findings.shown->judge, *findings.shown->frame, differs);
 }
 
-std::string check_screen(const Findings& findings, const std::vector<Panel>& panels,
-                         const std::filesystem::path& images, const Paint& paint,
-                         const Window& window) {
+std::string check_screen(const Findings& findings, const std::string& advice,
+                         const std::vector<Panel>& panels, const std::filesystem::path& images,
+                         const Paint& paint, const Window& window) {
   const std::string report = describe(findings, paint);
-  std::string after = "\n" + next_step(findings);
+  std::string after = advice.empty() ? "" : "\n" + advice;
+  after += "\n" + next_step(findings);
   if (const Finding* first = first_failure(findings); first != nullptr && first->spot) {
     after += explain_line(*findings.stage, *first->spot, images);
   }

@@ -29,12 +29,12 @@ Difference difference_of(const Findings& findings);
 /// The picture's panels are at most about this large; they are what PictureJob calls panel_size.
 inline constexpr int check_panel_size = 400;
 
-/// `panels` are those of panels_of(). Where the pixel to look at is in a scene that is no file yet,
-/// this writes it as STAGE-check.scene into `images`. The preview is left out where there is no
-/// room for it.
-std::string check_screen(const Findings& findings, const std::vector<Panel>& panels,
-                         const std::filesystem::path& images, const Paint& paint,
-                         const Window& window);
+/// `advice` is what advise() says, if anything; `panels` are those of panels_of(). Where the pixel
+/// to look at is in a scene that is no file yet, this writes it as STAGE-check.scene into `images`.
+/// The preview is left out where there is no room for it.
+std::string check_screen(const Findings& findings, const std::string& advice,
+                         const std::vector<Panel>& panels, const std::filesystem::path& images,
+                         const Paint& paint, const Window& window);
 
 /// The same for a stage that does not compile. `compiler` is what the compiler said, ready to
 /// print.

@@ -1,16 +1,19 @@
-// `fos_check [--overview] --images FOLDER --picture PROGRAM STAGE=PROGRAM…`: what ./lab check says.
-// STAGE=!FILE is a stage that does not build; FILE has what the compiler said.
+// `fos_check [--overview] --root TREE --images FOLDER --picture PROGRAM STAGE=PROGRAM…`: what ./lab
+// check says. STAGE=!FILE is a stage that does not build; FILE has what the compiler said.
 //
 // Exit status: 0 every stage passes, 1 not, 2 wrong usage, 3 the toolkit's own trouble.
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "advice.hpp"
 #include "check_screen.hpp"
+#include "compile_error.hpp"
 #include "fos/text.hpp"
 #include "picture_maker.hpp"
 
@@ -26,6 +29,7 @@ struct Job {
 
 struct Options {
   bool overview = false;
+  std::filesystem::path root;  ///< where labs/ is
   std::filesystem::path images;
   std::filesystem::path picture_program;
   std::vector<Job> jobs;
@@ -50,10 +54,13 @@ Options parse(const std::vector<std::string>& arguments) {
   Options options;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& argument = arguments[i];
-    const bool has_value = argument == "--images" || argument == "--picture";
+    const bool has_value =
+        argument == "--root" || argument == "--images" || argument == "--picture";
     if (has_value && i + 1 == arguments.size()) throw UsageError(argument);
     if (argument == "--overview") {
       options.overview = true;
+    } else if (argument == "--root") {
+      options.root = arguments[++i];
     } else if (argument == "--images") {
       options.images = arguments[++i];
     } else if (argument == "--picture") {
@@ -70,14 +77,21 @@ Options parse(const std::vector<std::string>& arguments) {
 /// that passes never waits for it.
 bool check_one(const Options& options, const Job& job, const Paint& paint) {
   if (job.program.empty()) {
-    std::cout << check_screen(*job.stage, "", paint) << '\n';
+    std::ifstream log(job.log);
+    const std::string output{std::istreambuf_iterator<char>(log), {}};
+    const std::string file = stage_file(*job.stage);
+    std::cout << check_screen(*job.stage, describe_compile_error(output, options.root / file, file),
+                              paint);
     return false;
   }
   const Findings findings = examine(*job.stage, job.program, patient_limits());
   std::optional<PictureMaker> maker;
   if (findings.shown && !findings.shown->verdict.passes()) maker.emplace(options.picture_program);
   const std::vector<Panel> panels = panels_of(findings, difference_of(findings));
-  std::cout << check_screen(findings, panels, options.images, paint,
+  const std::string advice = first_failure(findings) == nullptr
+                                 ? ""
+                                 : advise(*job.stage, job.program, patient_limits()).words;
+  std::cout << check_screen(findings, advice, panels, options.images, paint,
                             {is_terminal(), terminal_width, 0})
             << std::flush;
   if (panels.empty()) return findings.passes();
@@ -94,7 +108,12 @@ bool check_all(const Options& options, const Paint& paint) {
   std::vector<StageResult> results;
   for (const Job& job : options.jobs) {
     StageResult result{job.stage, std::nullopt, ""};
-    if (!job.program.empty()) result.findings = examine(*job.stage, job.program, patient_limits());
+    if (!job.program.empty()) {
+      result.findings = examine(*job.stage, job.program, patient_limits());
+      if (first_failure(*result.findings) != nullptr) {
+        result.mistake = advise(*job.stage, job.program, patient_limits()).mistake;
+      }
+    }
     results.push_back(std::move(result));
   }
   std::cout << overview(results, paint);

@@ -14,6 +14,9 @@ bool has(const char* variable, std::string_view part) {
 }
 
 std::string wrapped_line(std::string_view line, int indent, int width) {
+  const std::size_t spaces = std::min(line.find_first_not_of(' '), line.size());
+  indent += static_cast<int>(spaces);
+  line.remove_prefix(spaces);
   const std::string margin(static_cast<std::size_t>(indent), ' ');
   if (indent + columns_of(line) <= width) return margin + std::string(line) + "\n";
   std::string out;

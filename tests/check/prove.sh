@@ -25,7 +25,7 @@ mapfile -t wrong < <("$bin/fos_mistakes" list "$stage")
   first_sphere last_of_equals black_background)
 # What no student does, but a test could miss.
 if [[ $stage == flat_color ]]; then
-  wrong+=(open_interval t_min_nearly far_is_1000 centre_behind_skipped eight_spheres whole_background)
+  wrong+=(t_min_nearly far_is_1000 centre_behind_skipped eight_spheres whole_background)
 else
   wrong+=(rounded not_a_number ambient_twice_alone lit_without_lights gamma a_percent_more)
 fi

@@ -28,7 +28,7 @@ check_stages() {
     esac
   done
   ((${#jobs[@]})) || return "$status"
-  "$BUILD/bin/fos_check" --images "$ROOT/build/images" --picture "$BUILD/bin/fos_picture" \
+  "$BUILD/bin/fos_check" --root "$ROOT" --images "$ROOT/build/images" --picture "$BUILD/bin/fos_picture" \
     "${options[@]}" "${jobs[@]}"
   result=$?
   ((result > status)) && status=$result

@@ -214,6 +214,12 @@ TEST_CASE("no answer, and answers that hang on something else") {
   CHECK_FALSE(crash.difference.has_value());
   CHECK(exit_status(crash) == 1);
 
+  // Nothing after the pixel's row is waited for.
+  setenv("FOS_ODD", "crashes later", 1);
+  const Comparison first_row =
+      compare_with("odd_stage", lecture_scene(), stage_of("flat_color"), 300, 0);
+  CHECK(first_row.in_picture->given.came());
+
   const Comparison counts = odd("counts", "flat_color");
   CHECK(counts.depends);
   CHECK(in_short(counts.difference) == "color not_alone");

@@ -79,6 +79,10 @@ TEST_CASE("numbers with a root in them are exact where they can be") {
   // 99 - 70 √2 = 0.0050506…: two digits are lost, and all that are shown are right all the
   // same.
   CHECK(decimal_text(two.enclose(two.number(99, -70))) == "0.005050634");
+  // (3 - 2 √2)^128: a and b have 98 digits before the point, and the difference 98 zeros after it.
+  Surd power = x;
+  for (int i = 0; i < 7; ++i) power = two.product(power, power);
+  CHECK(decimal_text(two.enclose(power)) == "1.021938e-98");
 }
 
 TEST_CASE("roots, quotients and angles of enclosures") {

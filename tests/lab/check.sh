@@ -80,7 +80,7 @@ check "a missing stage file: the others are checked" asked fos_check "${with[@]}
 : >"$STATE/calls"
 lab check point
 check "only a missing stage file" status 1
-check "only a missing stage file: nothing is checked" not called 'fos_check --images'
+check "only a missing stage file: nothing is checked" not called 'fos_check --root'
 lab watch point
 check "watch: a missing stage file" status 1
 check "watch: a missing stage file: is not called" not called 'fos_watch --root'

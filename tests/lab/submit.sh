@@ -18,7 +18,7 @@ lab submit
 check "done" status 0
 check "the stages and nothing else, by these names" called "--format=zip -- $files"
 check "the pretended zip" holds "$zip" "${stubs}my work"
-check "checks all, first" called 'fos_check --images'
+check "checks all, first" called 'fos_check --root'
 check "checks all, in an overview" called '--overview'
 check "which are stubs" out 'nothing is written yet in: flat_color ambient'
 check "ends with the file, from where the person is" test "${OUT##*$'\n'}" == \

@@ -23,20 +23,20 @@ namespace fos {
 /// Where a mistake is made, in a stage that has both kinds of lights.
 enum class Where { everywhere, point_lights, directional_lights };
 
-struct Finding {
+struct MistakeMade {
   Mistake mistake;
   Where where = Where::everywhere;
-  bool operator==(const Finding&) const = default;
+  bool operator==(const MistakeMade&) const = default;
 };
 
 /// What was found. Nothing: the frames are right on these scenes, or unwritten or not finite
 /// somewhere, or nothing in the catalogue explains them.
 struct Diagnosis {
   /// These are made, all of them.
-  std::vector<Finding> certain;
+  std::vector<MistakeMade> certain;
   /// And one of these, which no scene can tell apart: each a mistake, or two that go together.
   /// Empty, or 2 or 3 of them.
-  std::vector<std::vector<Finding>> one_of;
+  std::vector<std::vector<MistakeMade>> one_of;
 
   bool named() const { return !certain.empty() || !one_of.empty(); }
 };
@@ -50,7 +50,7 @@ Diagnosis diagnose(const Stage& stage, std::span<const Frame> frames);
 /// and where to look, a line each, the last two indented. Empty where nothing is named.
 std::vector<std::string> describe(const Diagnosis& diagnosis);
 
-/// The data of a stage. They are read once and kept.
-const struct StageMistakes& mistakes_of(const Stage& stage);
+/// The names alone, in one line; empty where nothing is named.
+std::string names(const Diagnosis& diagnosis);
 
 }  // namespace fos

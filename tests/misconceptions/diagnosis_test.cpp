@@ -15,10 +15,10 @@ namespace {
 
 /// Whether these mistakes are what the diagnosis says, or one of the things that it may be.
 bool names(const Diagnosis& diagnosis, const MistakeSet& mistakes) {
-  const auto complete = [&](std::vector<Finding> findings) {
+  const auto complete = [&](std::vector<MistakeMade> findings) {
     findings.insert(findings.end(), diagnosis.certain.begin(), diagnosis.certain.end());
     MistakeSet named;
-    for (const Finding& finding : findings) named.add(finding.mistake);
+    for (const MistakeMade& finding : findings) named.add(finding.mistake);
     return named == mistakes;
   };
   if (diagnosis.one_of.empty()) return complete({});
@@ -27,12 +27,13 @@ bool names(const Diagnosis& diagnosis, const MistakeSet& mistakes) {
 
 std::string ids(const Diagnosis& diagnosis) {
   std::string all;
-  for (const Finding& finding : diagnosis.certain) {
+  for (const MistakeMade& finding : diagnosis.certain) {
     all.append(misconception(finding.mistake).id).append(" ");
   }
   for (const auto& each : diagnosis.one_of) {
     all.append("| ");
-    for (const Finding& finding : each) all.append(misconception(finding.mistake).id).append(" ");
+    for (const MistakeMade& finding : each)
+      all.append(misconception(finding.mistake).id).append(" ");
   }
   return all.empty() ? "nothing" : all;
 }

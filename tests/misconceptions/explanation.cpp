@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "diagnostic_scenes.hpp"
-#include "ending.hpp"
+#include "finish.hpp"
 #include "fos/nearest.hpp"
 #include "light_code.hpp"
 
@@ -70,12 +70,12 @@ bool Explainer::fits(std::size_t pixel, std::size_t sphere, double low, double h
   Vec least(own[0], own[1], own[2]);
   Vec most = least;
   if (sphere == 0) {
-    if (finish.has(Mistake::black_background)) least = most = Vec(0);
+    least = most = background(finish, least);
   } else {
     const auto ending = ending_of(finish);
     const Vec color = least;
-    least = ended(ending, color, low);
-    most = ended(ending, color, high);
+    least = ended(ending, color, total(finish, low));
+    most = ended(ending, color, total(finish, high));
   }
   for (int i = 0; i < 3; ++i) {
     const double channel = channels[static_cast<std::size_t>(i)];

@@ -23,6 +23,7 @@ LightCode light_code(double I);
 struct LightCell {
   double low = 0;
   double high = 0;
+  double middle() const { return (low + high) / 2; }
 };
 LightCell light_cell(LightCode code);
 

@@ -65,10 +65,6 @@ void add_term(StageMistakes& made, const Stage& stage, const TermScene& term) {
   made.distances.push_back(std::move(distances));
 }
 
-bool has_plane(const Misconception& each) {
-  return each.slot != Slot::ending && each.slot != Slot::background;
-}
-
 }  // namespace
 
 StageMistakes make_mistakes(const Stage& stage) {
@@ -88,7 +84,7 @@ StageMistakes make_mistakes(const Stage& stage) {
 
   std::vector<const Misconception*> singles;
   for (const Misconception& each : misconceptions()) {
-    if ((each.stages & stage_bit(stage.id)) == 0 || !has_plane(each)) continue;
+    if ((each.stages & stage_bit(stage.id)) == 0 || is_finish(each)) continue;
     singles.push_back(&each);
     made.planes.push_back(plane({each.mistake}));
     made.planes.back().first = each.mistake;

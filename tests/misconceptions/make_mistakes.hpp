@@ -8,7 +8,7 @@
 namespace fos {
 
 /// Every mistake and pair of mistakes of a stage whose picture is not the right one, nor that of
-/// one of the two alone. Those of the ending and of the background have no planes of their own:
+/// one of the two alone. Those that are a finish have no planes of their own:
 /// they follow from the others.
 StageMistakes make_mistakes(const Stage& stage);
 

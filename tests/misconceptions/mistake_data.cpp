@@ -3,11 +3,14 @@
 #include <fmt/core.h>
 #include <zlib.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <string_view>
+
+#include "diagnostic_scenes.hpp"
+#include "symbol_layout.hpp"
 
 namespace fos {
 namespace {
@@ -34,56 +37,12 @@ unsigned long catalogue_checksum() {
   return sum;
 }
 
-/// Where the pixels lie, and which of them have a symbol.
-class Layout {
- public:
-  Layout(const std::vector<SceneText>& scenes, const std::vector<std::uint16_t>* spheres)
-      : spheres_(spheres) {
-    for (const SceneText& scene : scenes) {
-      for (int row = 0; row < scene.canvas_height; ++row) {
-        for (int column = 0; column < scene.canvas_width; ++column) {
-          pixels_.push_back({static_cast<std::size_t>(scene.canvas_width), column > 0, row > 0});
-        }
-      }
-    }
-  }
-
-  std::size_t size() const { return pixels_.size(); }
-  bool has_symbol(std::size_t i) const { return spheres_ == nullptr || (*spheres_)[i] != 0; }
-
-  /// What the neighbours to the left, above, and left above suggest: the plane through them, or
-  /// the nearest of them where it leaves their range (the predictor of LOCO-I: Weinberger,
-  /// Seroussi, Sapiro, "The LOCO-I lossless image compression algorithm", 2000).
-  std::uint16_t predict(const Symbols& symbols, std::size_t i) const {
-    const Place& place = pixels_[i];
-    const bool has_left = place.has_left && has_symbol(i - 1);
-    const bool has_above = place.has_above && has_symbol(i - place.width);
-    if (!has_left && !has_above) return 0;
-    if (!has_above) return symbols[i - 1];
-    const int above = symbols[i - place.width];
-    if (!has_left) return static_cast<std::uint16_t>(above);
-    const int left = symbols[i - 1];
-    const int corner = has_symbol(i - place.width - 1) ? symbols[i - place.width - 1] : above;
-    const auto [least, most] = std::minmax(left, above);
-    return static_cast<std::uint16_t>(std::clamp(left + above - corner, least, most));
-  }
-
- private:
-  struct Place {
-    std::size_t width;
-    bool has_left;
-    bool has_above;
-  };
-  std::vector<Place> pixels_;
-  const std::vector<std::uint16_t>* spheres_;
-};
-
 void put(std::string& bytes, std::size_t number) {
   bytes.push_back(static_cast<char>(number & 0xff));
   bytes.push_back(static_cast<char>(number >> 8 & 0xff));
 }
 
-void put(std::string& bytes, const Layout& layout, const Symbols& symbols) {
+void put(std::string& bytes, const SymbolLayout& layout, const Symbols& symbols) {
   for (std::size_t i = 0; i < layout.size(); ++i) {
     if (!layout.has_symbol(i)) continue;
     const auto off = static_cast<std::int16_t>(symbols[i] - layout.predict(symbols, i));
@@ -109,7 +68,7 @@ class Reader {
     const unsigned low = byte();
     return static_cast<std::uint16_t>(low | static_cast<unsigned>(byte()) << 8);
   }
-  Symbols symbols(const Layout& layout) {
+  Symbols symbols(const SymbolLayout& layout) {
     Symbols symbols(layout.size());
     for (std::size_t i = 0; i < layout.size(); ++i) {
       if (!layout.has_symbol(i)) continue;
@@ -141,8 +100,8 @@ std::size_t number_of(std::optional<Mistake> mistake) {
 std::string encode(const StageMistakes& mistakes, const std::vector<SceneText>& scenes) {
   std::string bytes;
   put(bytes, mistakes.has_light ? 1 : 0);
-  put(bytes, Layout(scenes, nullptr), mistakes.spheres);
-  const Layout layout(scenes, mistakes.has_light ? &mistakes.spheres : nullptr);
+  put(bytes, SymbolLayout(scenes, nullptr), mistakes.spheres);
+  const SymbolLayout layout(scenes, mistakes.has_light ? &mistakes.spheres : nullptr);
   put(bytes, mistakes.planes.size());
   for (const Plane& plane : mistakes.planes) {
     put(bytes, number_of(plane.first));
@@ -187,8 +146,8 @@ StageMistakes decode(const std::string& file, const std::vector<SceneText>& scen
   Reader in(bytes);
   StageMistakes mistakes;
   mistakes.has_light = in.number() != 0;
-  mistakes.spheres = in.symbols(Layout(scenes, nullptr));
-  const Layout layout(scenes, mistakes.has_light ? &mistakes.spheres : nullptr);
+  mistakes.spheres = in.symbols(SymbolLayout(scenes, nullptr));
+  const SymbolLayout layout(scenes, mistakes.has_light ? &mistakes.spheres : nullptr);
   mistakes.planes.resize(in.number());
   for (Plane& plane : mistakes.planes) {
     plane.first = in.mistake();
@@ -212,6 +171,17 @@ StageMistakes read_mistakes(const std::filesystem::path& path,
   std::ifstream in(path, std::ios::binary);
   if (!in) throw MistakeDataError(fmt::format("{} cannot be read", path.string()));
   return decode({std::istreambuf_iterator<char>(in), {}}, scenes);
+}
+
+const StageMistakes& mistakes_of(const Stage& stage) {
+  static std::map<std::string_view, StageMistakes> kept;
+  const auto found = kept.find(stage.id);
+  if (found != kept.end()) return found->second;
+  const std::filesystem::path folder = FOS_MISTAKES_DATA;
+  return kept
+      .emplace(stage.id,
+               read_mistakes(folder / fmt::format("{}.mistakes", stage.id), base_scenes()))
+      .first->second;
 }
 
 }  // namespace fos

@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "fos/scene_text.hpp"
+#include "fos/stage_list.hpp"
 #include "mistakes.hpp"
 
 namespace fos {
@@ -65,5 +66,8 @@ StageMistakes decode(const std::string& file, const std::vector<SceneText>& scen
 /// Reads the file of a stage. Throws MistakeDataError.
 StageMistakes read_mistakes(const std::filesystem::path& path,
                             const std::vector<SceneText>& scenes);
+
+/// The data of a stage, read once and kept. Throws MistakeDataError.
+const StageMistakes& mistakes_of(const Stage& stage);
 
 }  // namespace fos

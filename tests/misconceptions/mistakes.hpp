@@ -50,6 +50,7 @@ enum class Slot : std::uint8_t {
   sum,
   kinds,
   ambient,
+  type,
   total,
   ending,
 };
@@ -101,5 +102,12 @@ class MistakeSet {
 
 /// The mistake of a set in the ending of trace_ray, or nothing.
 std::optional<Mistake> ending_of(const MistakeSet& mistakes);
+
+/// Whether what a mistake makes of a pixel follows from the sphere that is seen and I alone, so
+/// that the data need not hold it.
+constexpr bool is_finish(const Misconception& mistake) {
+  return mistake.slot == Slot::background || mistake.slot == Slot::total ||
+         mistake.slot == Slot::ending;
+}
 
 }  // namespace fos

@@ -73,9 +73,9 @@ bool passes(const Submission& submission) {
   });
 }
 
-std::string word(const std::vector<Finding>& findings) {
+std::string word(const std::vector<MistakeMade>& findings) {
   std::string words;
-  for (const Finding& finding : findings) {
+  for (const MistakeMade& finding : findings) {
     if (!words.empty()) words += " & ";
     words += misconception(finding.mistake).id;
     if (finding.where == Where::point_lights) words += "@point";
@@ -100,7 +100,7 @@ std::set<std::set<std::string>> terms(const std::string& verdict) {
 
 std::string verdict(const Diagnosis& diagnosis) {
   std::string words;
-  for (const Finding& finding : diagnosis.certain) {
+  for (const MistakeMade& finding : diagnosis.certain) {
     words += (words.empty() ? "" : " + ") + word({finding});
   }
   std::string one_of;

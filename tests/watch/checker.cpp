@@ -7,23 +7,16 @@
 #include <cstdint>
 #include <utility>
 
+#include "advice.hpp"
 #include "asked.hpp"
 #include "build_stage.hpp"
+#include "compile_error.hpp"
 #include "fos/text.hpp"
 
 namespace fos {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-std::string first_lines(const std::string& text, int count) {
-  std::size_t end = 0;
-  while (count-- > 0 && end != std::string::npos) {
-    end = text.find('\n', end);
-    if (end != std::string::npos) ++end;
-  }
-  return text.substr(0, end);
-}
 
 }  // namespace
 
@@ -96,21 +89,24 @@ void Checker::check(const CheckJob& job, long serial, const std::stop_token& sto
   std::vector<Panel> panels;
   Checked checked{serial, false, "", {}, ""};
   std::string compiler;
+  std::string advice;
   if (built.is_built) {
-    findings =
-        examine(stage, places_.program("lab_" + std::string(stage.id)), patient_limits(), stop);
+    const auto program = places_.program("lab_" + std::string(stage.id));
+    findings = examine(stage, program, patient_limits(), stop);
     differs = difference_of(*findings);
     panels = panels_of(*findings, differs);
     checked.passes = findings->passes();
-    checked.screen = check_screen(*findings, panels, places_.images(), paint_, job.window);
-    if (!panels.empty()) checked.screen += picture_line(picture_path(stage, places_.images()));
     const Finding* first = first_failure(*findings);
+    if (first != nullptr) advice = advise(stage, program, patient_limits()).words;
+    checked.screen = check_screen(*findings, advice, panels, places_.images(), paint_, job.window);
+    if (!panels.empty()) checked.screen += picture_line(picture_path(stage, places_.images()));
     if (first != nullptr && first->spot) checked.spot = *first->spot;
     if (findings->shown && findings->shown->scene_name != "lecture") {
       checked.shown_scene = (places_.images() / (std::string(stage.id) + "-view.scene")).string();
     }
   } else {
-    compiler = first_lines(built.words, 20);
+    const std::string file = stage_file(stage);
+    compiler = describe_compile_error(built.words, places_.root / file, file);
     checked.screen = check_screen(stage, compiler, paint_);
   }
   post(checked);

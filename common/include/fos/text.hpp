@@ -39,6 +39,7 @@ std::string say(const Text& text, std::initializer_list<std::string_view> values
 namespace text {
 #define TEXT(name, english, greek) inline constexpr Text name{english, greek};
 #include "check.def"
+#include "compile.def"
 #include "explain.def"
 #include "extremes.def"
 #include "growth.def"

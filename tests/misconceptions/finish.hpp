@@ -1,7 +1,8 @@
-// The last line of trace_ray: what it makes of the sphere's color and the light I.
+// What comes last: the background where nothing is seen, what is done with I, and the ending of
+// trace_ray, which makes a color of the sphere's and I.
 //
-// It is all that the data do not hold pixel by pixel: they hold the sphere or I, and the ending
-// turns them into channels.
+// It is all that the data do not hold pixel by pixel: they hold the sphere or I, and these make the
+// channels.
 #pragma once
 
 #include <cmath>
@@ -13,7 +14,21 @@
 
 namespace fos {
 
-/// The channels of a pixel, 0..255 and beyond.
+/// What a ray returns that meets nothing.
+template <typename T>
+glm::vec<3, T> background(const MistakeSet& mistakes, const glm::vec<3, T>& color) {
+  if (mistakes.has(Mistake::black_background)) return glm::vec<3, T>(0);
+  if (mistakes.has(Mistake::white_background)) return glm::vec<3, T>(255);
+  return color;
+}
+
+/// What is made of the I that compute_lighting has summed.
+template <typename T>
+T total(const MistakeSet& mistakes, T I) {
+  return mistakes.has(Mistake::cut_off_at_1) && I > 1 ? T(1) : I;
+}
+
+/// The channels of a pixel that sees a sphere, 0..255 and beyond.
 template <typename T>
 glm::vec<3, T> ended(std::optional<Mistake> ending, const glm::vec<3, T>& color, T I) {
   using Vec = glm::vec<3, T>;
