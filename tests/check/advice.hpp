@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <stop_token>
 #include <string>
 
 #include "fos/stage_list.hpp"
@@ -18,7 +19,8 @@ struct Advice {
 };
 
 /// Asks the program for the diagnostic scenes, and looks for the mistake that gives these pixels.
-/// Throws where the data of the mistakes cannot be read.
-Advice advise(const Stage& stage, const std::filesystem::path& program, const Limits& limits);
+/// Throws where the data of the mistakes cannot be read, and Stopped soon after `stop` asks for it.
+Advice advise(const Stage& stage, const std::filesystem::path& program, const Limits& limits,
+              const std::stop_token& stop = {});
 
 }  // namespace fos

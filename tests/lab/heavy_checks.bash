@@ -14,6 +14,7 @@ heavy_checks() {
   step tidy clang-tidy check_tidy
   step sanitize g++ test_tree sanitize --preset sanitize
   step random ctest random_scenes
+  step browser chromedriver browser_page
   step fuzz clang++ fuzz_scene
   ((NOT_RUN)) && say lab_steps_not_run "$NOT_RUN"
   say lab_steps_sum "$PASSED" "$FAILED"
@@ -68,6 +69,9 @@ print(*(entry["file"] for entry in ours), sep="\0", end="\0")
 ' "$ROOT/build/clang/compile_commands.json" "$folder/compile_commands.json" |
     xargs -0 -n 1 -P "$(nproc)" clang-tidy -quiet -p "$folder" 2> >(grep -v ' warnings generated')
 }
+
+# The page of ./lab watch in a real browser.
+browser_page() { build "$BUILD" all && "$ROOT/tests/watch/viewer_test.sh" "$ROOT" "$BUILD"; }
 
 # The reader of scene files against a minute of hostile ones, beginning with the committed corpus.
 fuzz_scene() {

@@ -14,11 +14,6 @@
 #include "fos/text.hpp"
 
 namespace fos {
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
-}  // namespace
 
 Checker::Checker(Places places, Colors colors)
     : places_(std::move(places)),
@@ -97,7 +92,7 @@ void Checker::check(const CheckJob& job, long serial, const std::stop_token& sto
     panels = panels_of(*findings, differs);
     checked.passes = findings->passes();
     const Finding* first = first_failure(*findings);
-    if (first != nullptr) advice = advise(stage, program, patient_limits()).words;
+    if (first != nullptr) advice = advise(stage, program, patient_limits(), stop).words;
     checked.screen = check_screen(*findings, advice, panels, places_.images(), paint_, job.window);
     if (!panels.empty()) checked.screen += picture_line(picture_path(stage, places_.images()));
     if (first != nullptr && first->spot) checked.spot = *first->spot;
@@ -111,6 +106,7 @@ void Checker::check(const CheckJob& job, long serial, const std::stop_token& sto
   }
   post(checked);
 
+  using Clock = std::chrono::steady_clock;
   const auto began = Clock::now();
   Pictured pictured{serial, "", 0};
   if (!panels.empty() &&
@@ -123,8 +119,10 @@ void Checker::check(const CheckJob& job, long serial, const std::stop_token& sto
     view.stage = &stage;
     view.findings = findings ? &*findings : nullptr;
     view.compiler = compiler;
+    view.advice = advice;
     view.difference = std::move(differs);
-    view_.write(view, maker_);
+    const std::string trouble = view_.write(std::move(view), maker_);
+    if (!trouble.empty()) pictured.trouble = trouble;
   } catch (const std::exception& error) {
     pictured.trouble = say(text::watch_no_view, {error.what()});
   }

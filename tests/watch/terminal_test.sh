@@ -4,6 +4,7 @@
 # shellcheck disable=SC2016,SC2317 # what the inner shell expands; functions for `check`
 # shellcheck source=tests/watch/copied_tree.bash
 source "$(dirname "$0")/copied_tree.bash" "$1" "$2"
+command -v script >/dev/null || { echo "NOT RUN: the program 'script' is not here" && exit 77; }
 export LC_ALL=C.UTF-8 FOS_LANG=en TERM=xterm
 SOLUTION=$ROOT/solutions/lecture04/point.cpp
 
@@ -48,8 +49,20 @@ fresh() { : >"$WORK/screen"; } # what comes from now on (script appends)
 not() { ! "$@"; }
 shown() { grep -qF -- "$1" "$WORK/screen"; }
 comes() { check "$1" wait_for "$@"; }
-process() { pgrep -f -- "--root $TREE" | head -n 1; }
+# process WORDS: the number of the one whose command line has these words.
+process() {
+  local line
+  for line in /proc/[0-9]*/cmdline; do
+    [[ $(tr '\0' ' ' <"$line") == *"$1"* ]] 2>/dev/null && line=${line%/*} && echo "${line##*/}" && return
+  done
+}
 
+until_true() { # COMMAND…
+  local i
+  for ((i = 0; i < 400; i++)); do "$@" && return || sleep 0.1; done
+  false
+}
+IMAGES=$TREE/build/images
 make_tree point directional
 
 # From the stub to the solution, and q.
@@ -65,8 +78,8 @@ comes 'Well done: Point light'
 comes 'n next: directional'
 press q
 ended 0
-check 'the page is there' test -s "$TREE/build/images/viewer.html"
-check 'what it shows is there' grep -q fosView "$TREE/build/images/point-view.js"
+check 'the page is there' test -s "$IMAGES/viewer.html"
+check 'what it shows is there' grep -q fosView "$IMAGES/point-view.js"
 
 # Every key, in Greek letters too; a child has the terminal as it was.
 put labs point
@@ -132,7 +145,7 @@ ended 0
 for signal in TERM HUP SEGV ABRT; do
   session ''
   comes 'q quit'
-  kill "-$signal" "$(process)"
+  kill "-$signal" "$(process "fos_watch --root $TREE")"
   ended $((128 + $(kill -l "$signal")))
 done
 
@@ -185,14 +198,13 @@ ended 0
 put labs point
 session ''
 comes 'q quit'
-wait_for_picture() { for _ in {1..100}; do [[ -s $TREE/build/images/point-check.png ]] && return || sleep 0.1; done; false; }
-check 'a picture' wait_for_picture
-sleep 0.5
-pkill -KILL -P "$(process)" fos_picture
+check 'a picture' until_true test -s "$IMAGES/point-check.png"
+check 'the page follows' until_true test "$IMAGES/view-now.js" -nt "$IMAGES/point-check.png"
+kill -KILL "$(process "$COPY/bin/fos_picture serve")"
 fresh && touch "$TREE/labs/lecture04/point.cpp"
 comes 'no picture was made'
-rm -f "$TREE/build/images/point-check.png" && touch "$TREE/labs/lecture04/point.cpp"
-check 'a picture, by a new program' wait_for_picture
+rm -f "$IMAGES/point-check.png" && touch "$TREE/labs/lecture04/point.cpp"
+check 'a picture, by a new program' until_true test -s "$IMAGES/point-check.png"
 press q
 ended 1
 

@@ -150,6 +150,7 @@ std::string view_script(const View& view) {
                  {"summary", json_string(findings == nullptr ? "" : summary(*findings))},
                  {"list", findings == nullptr ? "[]" : list(*findings)},
                  {"first", findings == nullptr ? json_string(view.compiler) : first(*findings)},
+                 {"advice", json_string(view.advice)},
                  {"pictures", has_pictures ? pictures(view) : "null"},
                  {"texts", texts()}}) +
          ");\n";

@@ -17,6 +17,7 @@ struct View {
   std::string id;                       ///< new for each check
   const Findings* findings = nullptr;   ///< nothing where the stage does not compile
   std::string compiler;                 ///< what the compiler said then
+  std::string advice;                   ///< the named mistake, or where the chain goes wrong
   std::array<std::string, 3> pictures;  ///< yours, expected, difference, each a PNG; or empty
   Difference difference;                ///< between the frame shown and the exact one
   std::vector<int> parts;               ///< which values_scripts() there are

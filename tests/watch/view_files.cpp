@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <fstream>
 #include <iterator>
@@ -82,20 +83,22 @@ void ViewFiles::remove_older_values(const View& view, int last) const {
   }
 }
 
-void ViewFiles::write(View view, PictureMaker& maker) {
+std::string ViewFiles::write(View view, PictureMaker& maker) {
   view.id = new_id();
+  std::string trouble;
   if (view.findings != nullptr && view.findings->shown) {
     const Shown& shown = *view.findings->shown;
     const auto& [width, height, precision] = shown.frame->header;
     if (view.difference.signed_channels.empty()) {  // it passes
       view.difference.signed_channels.resize(shown.frame->unwritten.size());
     }
-    view.pictures = {png(to_bitmap(*shown.frame), maker),
-                     png(to_bitmap(shown.judge->exact()), maker),
-                     png(to_bitmap(view.difference, width, height), maker)};
-    for (const std::string& picture : view.pictures) {
-      if (picture.empty()) view.pictures[0].clear();
+    const std::array bitmaps{to_bitmap(*shown.frame), to_bitmap(shown.judge->exact()),
+                             to_bitmap(view.difference, width, height)};
+    for (std::size_t i = 0; i < bitmaps.size() && trouble.empty(); ++i) {
+      view.pictures[i] = png(bitmaps[i], maker);
+      if (view.pictures[i].empty()) trouble = maker.error();
     }
+    if (!trouble.empty()) view.pictures = {};
     if (shown.scene_name != "lecture") {
       const auto path = file(*view.stage, "-view.scene");
       write_whole_file(path, shown.judge->scene().source);
@@ -109,6 +112,7 @@ void ViewFiles::write(View view, PictureMaker& maker) {
   }
   write_whole_file(file(*view.stage, "-view.js"), view_script(view));
   write_whole_file(images_ / "view-now.js", now_script(view.id, *view.stage));
+  return trouble;
 }
 
 }  // namespace fos

@@ -19,8 +19,9 @@ class ViewFiles {
 
   /// Writes what the page shows of a check: the values of wrong pixels, STAGE-view.js, and at the
   /// end view-now.js, which tells the page to load them. `view` has neither id nor pictures yet.
-  /// Throws FileError; where a picture cannot be made the page shows the words alone.
-  void write(View view, PictureMaker& maker);
+  /// Throws FileError. Where a picture cannot be made the page shows the words alone, and this
+  /// returns why; else nothing.
+  std::string write(View view, PictureMaker& maker);
 
  private:
   std::string png(const Bitmap& bitmap, PictureMaker& maker) const;

@@ -65,6 +65,7 @@ function showWords() {
   at("older").hidden = shown === view;
   at("older").textContent = shown === null ? (view.outcome === "no_build" ? "" : texts.no_frame) : texts.older;
   at("first").textContent = view.first;
+  at("advice").textContent = view.advice;
   at("list").replaceChildren(
     ...view.list.map(({ mark, words }) => {
       const line = document.createElement("li");
