@@ -53,6 +53,11 @@ std::string color_text(const DecimalTriple& color) {
   return fmt::format("({}, {}, {})", color[0].text, color[1].text, color[2].text);
 }
 
+bool is_black(const SceneText& scene, int sphere) {
+  const DecimalTriple& color = scene.spheres[static_cast<std::size_t>(sphere - 1)].color;
+  return color[0].is_zero() && color[1].is_zero() && color[2].is_zero();
+}
+
 class Speaker {
  public:
   Speaker(const Subject& subject, const Chain& chain, const Comparison& comparison)
@@ -185,10 +190,12 @@ std::vector<std::string> conclusion(const Subject& subject, const Chain& chain,
   } else if (whole.standing == Standing::float_only) {
     out.push_back(say(text::explain_only_float));
   } else {
-    out.push_back(
-        say(whole.standing == Standing::right && comparison.sphere == whole.expected.front().sphere
-                ? text::explain_all_right
-                : text::explain_all_accepted));
+    const bool is_exact =
+        whole.standing == Standing::right && comparison.sphere == whole.expected.front().sphere;
+    out.push_back(say(is_exact ? text::explain_all_right : text::explain_all_accepted));
+    if (chain.hit && subject.stage.terms != 0 && is_black(subject.scene, chain.hit->sphere)) {
+      out.push_back(say(text::explain_black_sphere));
+    }
   }
   const Question& picture = *comparison.in_picture;
   if (!picture.given.came()) {

@@ -117,6 +117,15 @@ TEST_CASE("background, tangent and many spheres are said in words") {
   CHECK_THAT(tangent.text, ContainsSubstring("rounding decides"));
   const Explanation crowd = mistaken("none", test_scene("crowd"), 10, 20);
   CHECK_THAT(crowd.text, ContainsSubstring("more that are missed"));
+  const Explanation black =
+      mistaken("L_not_normalised",
+               parse_scene_text("canvas_size = 2 x 2\n"
+                                "sphere { center = (0, 0, 3) radius = 1 color = (0, 0, 0) }\n"
+                                "light { type = point intensity = 1 position = (0, 0, 0) }\n",
+                                "scene"),
+               1, 0);
+  CHECK(black.status == 0);
+  CHECK_THAT(black.text, ContainsSubstring("no light shows on it"));
   const Explanation ahead = mistaken("none", test_scene("light_on_surface"), 24, 17);
   CHECK_THAT(ahead.text, ContainsSubstring("the light is at P"));
 }

@@ -34,7 +34,7 @@ Hushed::~Hushed() {
   }
 }
 
-std::string Hushed::take_words() {
+std::string Hushed::take_words() const {
   std::string words;
   std::array<char, 4096> some{};
   for (ssize_t count = 0; (count = read(words_, some.data(), some.size())) > 0;) {

@@ -17,7 +17,7 @@ class Hushed {
   Hushed& operator=(const Hushed&) = delete;
 
   /// What came on standard error so far and was not taken yet.
-  std::string take_words();
+  std::string take_words() const;
 
  private:
   int output_ = -1;  // the real ones, kept

@@ -1,6 +1,7 @@
 #include "right_answers.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "generate.hpp"
 #include "oracle.hpp"
@@ -23,6 +24,15 @@ void put_on_one_pixel(ExactScene& scene, const reference::Triple<mpq_class>& D) 
   scene.width = scene.height = 1;
   scene.viewport_width = -2 * D[0];
   scene.viewport_height = -2 * D[1];
+}
+
+/// A dim light alone may be beyond what doubles carry, and yet be no trouble among the others.
+int step_for(const ExactScene& scene, const ExactScene& all_lights) {
+  try {
+    return reference::coarsest_step(scene);
+  } catch (const std::range_error&) {
+    return reference::coarsest_step(all_lights);
+  }
 }
 
 /// The same with the terms of these lights only (indices in ExactScene::lights).
@@ -77,7 +87,7 @@ Judge RightAnswers::judge(std::span<const std::size_t> lights, unsigned terms) c
   reference::Reference reference;
   reference.scene_text = with_lights(scene_, lights).source;
   reference.width = reference.height = 1;
-  reference.step = reference::coarsest_step(scene);
+  reference.step = step_for(scene, exact_);
   reference::PixelTruth truth;
   for (int i = 0;; ++i, reference.step -= step_refinement) {
     try {

@@ -63,3 +63,17 @@ TEST_CASE("with some lights, their terms and no others") {
   CHECK_THAT(red({2}, 3), WithinAbs(0, 1e-9));  // no term of that stage
   CHECK_THAT(red({1}, 0), WithinAbs(255, 1e-9));
 }
+
+TEST_CASE("a light too dim for a double alone adds nothing that shows") {
+  const SceneText scene = parse_scene_text(
+      "canvas_size = 2 x 2\nsphere { center = (0, 0, 3) radius = 1 color = (200, 100, 0) }\n"
+      "light { type = directional intensity = 1 direction = (0, 0, -1) }\n"
+      "light { type = directional intensity = 1e-290 direction = (0, 0, -1) }\n",
+      "scene");
+  const std::vector<std::size_t> dim{1};
+  const std::vector<Expected> expected =
+      RightAnswers(scene, 1, 0).judge(dim, 7).expected({0, 0}, reference::Precision::double53);
+  REQUIRE(expected.size() == 1);
+  CHECK(expected[0].bytes == std::array<std::uint8_t, 3>{0, 0, 0});
+  CHECK(expected[0].channels[0].high < 1e-6);
+}
