@@ -21,9 +21,11 @@ void close_descriptor(int& descriptor) {
   if (descriptor >= 0) close(std::exchange(descriptor, -1));
 }
 
-/// In the child, between fork and exec: only calls that are safe there.
-[[noreturn]] void become(const char* program, int requests, int frames, int printed, int errors,
-                         const Limits& limits, pid_t parent) {
+/// In the child, between vfork and exec: only calls that are safe there. (It borrows the stack, on
+/// which a sanitizer would leave its marks.)
+[[noreturn, gnu::no_sanitize_address]] void become(const char* program, int requests, int frames,
+                                                   int printed, int errors, const Limits& limits,
+                                                   pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // never outlive the asker, however it ends
   if (getppid() != parent) _exit(127);
   if (limits.cpu_seconds > 0) {

@@ -20,11 +20,12 @@ stage_flags() {
 flags=$(stage_flags)
 [[ $flags ]] || { echo "broken.sh: how is a stage compiled?" && exit 1; }
 said=$(mktemp -d) || exit 3
+export LC_ALL=C.UTF-8 # the compiler speaks English, and a Greek letter is one column
 trap 'rm -rf "$said"' EXIT
 export flags said
 
 # shellcheck disable=SC2016 # the inner shell expands it
-printf '%s\0' "$here"/broken/*.cpp | LC_ALL=C.UTF-8 xargs -0 -P "$(nproc)" -I '{}' \
+printf '%s\0' "$here"/broken/*.cpp | xargs -0 -P "$(nproc)" -I '{}' \
   bash -c 'eval "$flags -fsyntax-only \"\$1\"" >"$said/${1##*/}" 2>&1; true' _ '{}'
 
 failed=0 count=0
@@ -38,8 +39,9 @@ for file in "$here"/broken/*.cpp; do
     [[ $out == "$name:$line:"* ]] || wrong="not line $line"
     flat=${out//$'\n'/ } flat=${flat//   / } flat=${flat//  / }
     [[ $language == el || $flat == *"$words"* ]] || wrong="not: $words"
-    (($(grep -c '' <<<"$out") <= 8)) || wrong='more than 8 lines'
-    (($(LC_ALL=C.UTF-8 wc -L <<<"$out") <= 80)) || wrong='wider than 80 columns'
+    mapfile -t lines <<<"$out"
+    ((${#lines[@]} <= 8)) || wrong='more than 8 lines'
+    for each in "${lines[@]}"; do ((${#each} <= 80)) || wrong='wider than 80 columns'; done
     if [[ $wrong ]]; then
       printf '%s (%s): %s\n%s\n' "$name" "$language" "$wrong" "$out"
       failed=1

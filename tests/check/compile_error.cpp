@@ -35,7 +35,7 @@ std::vector<std::string> lines_of(const std::filesystem::path& file) {
 }
 
 /// Where the file has to do with the error: in it, or the way to it begins there.
-const Place* place_in(const std::filesystem::path& file, const Diagnostic& error) {
+const SourcePlace* place_in(const std::filesystem::path& file, const Diagnostic& error) {
   if (is_same_file(error.place.file, file)) return &error.place;
   for (const auto kind : {Related::Kind::requested, Related::Kind::note, Related::Kind::included}) {
     for (const Related& related : error.related) {
@@ -85,8 +85,8 @@ void move_to_end_of_line_before(CompileContext& context, int& column) {
   }
 }
 
-CompileError describe(const Diagnostic& error, const Place* place, const CompilerOutput& output,
-                      const std::filesystem::path& file) {
+CompileError describe(const Diagnostic& error, const SourcePlace* place,
+                      const CompilerOutput& output, const std::filesystem::path& file) {
   CompileContext context{clean_message(error.message), {}, lines_of(file), 0};
   for (const Related& related : error.related) {
     if (!related.message.empty()) context.notes.push_back(clean_message(related.message));

@@ -21,13 +21,13 @@ int take_number(std::string_view& text) {
 }
 
 /// Takes `FILE:LINE` or `FILE:LINE:COLUMN` from the front.
-std::optional<Place> take_place(std::string_view& text) {
+std::optional<SourcePlace> take_place(std::string_view& text) {
   for (std::size_t i = text.find(':'); i != std::string_view::npos; i = text.find(':', i + 1)) {
     std::string_view rest = text.substr(i);
     const int line = take_number(rest);
     if (line == 0) continue;
     const int column = take_number(rest);
-    Place place{std::string(text.substr(0, i)), line, column};
+    SourcePlace place{std::string(text.substr(0, i)), line, column};
     text = rest;
     return place;
   }
@@ -48,7 +48,7 @@ class Reader {
     if (line.ends_with(" error generated.") || line.ends_with(" errors generated.")) {
       output.columns_are_bytes = true;
     }
-    const std::optional<Place> place = take_place(line);
+    const std::optional<SourcePlace> place = take_place(line);
     if (!place || !take(line, ": ")) return;
     if (take(line, "error: ") || take(line, "fatal error: ")) {
       output.errors.push_back({*place, std::string(line), std::move(before_)});
@@ -81,7 +81,7 @@ class Reader {
       line.remove_prefix(first);
       if (!take(line, "from ")) return false;
     }
-    const std::optional<Place> place = take_place(line);
+    const std::optional<SourcePlace> place = take_place(line);
     if (place) before_.push_back({Related::Kind::included, *place, ""});
     return place.has_value();
   }

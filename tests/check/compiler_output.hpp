@@ -8,7 +8,7 @@
 namespace fos {
 
 /// A place in a file, as a compiler names it.
-struct Place {
+struct SourcePlace {
   std::string file;  ///< absolute, or relative to the build folder
   int line = 0;      ///< from 1
   int column = 0;    ///< from 1, 0 where none is given; see CompilerOutput::columns_are_bytes
@@ -22,12 +22,12 @@ struct Related {
     note        ///< any other note
   };
   Kind kind;
-  Place place;
+  SourcePlace place;
   std::string message;  ///< of a note
 };
 
 struct Diagnostic {
-  Place place;          ///< no file: the linker's
+  SourcePlace place;    ///< no file: the linker's
   std::string message;  ///< its first line, as it was printed, without `error: `
   std::vector<Related> related;
 };

@@ -21,6 +21,7 @@ echo "child: $*"
 [[ $1 != hint ]] || stty -a | grep -o -e '-\?icanon'
 EOT
   chmod +x "$TREE/lab"
+  # shellcheck disable=SC2016 # ninja's variable
   printf 'rule run\n  command = cd %s && $cmd\n' "$BUILD" >"$COPY/build.ninja"
   for stage; do
     file=$(cd "$ROOT" && echo labs/lecture*/"$stage.cpp")

@@ -38,7 +38,7 @@ press() { printf '%b' "$1" >&4; }
 # ended STATUS: with it, and the terminal is as it was.
 ended() {
   local i
-  for ((i = 0; i < 200; i++)); do [[ -s $WORK/status ]] && break || sleep 0.05; done
+  for ((i = 0; i < 200; i++)); do [[ ! -s $WORK/status ]] || break; sleep 0.05; done
   exec 4>&-
   [[ -s $WORK/status ]] || kill "$SCRIPT"
   wait "$SCRIPT"
@@ -59,7 +59,7 @@ process() {
 
 until_true() { # COMMAND…
   local i
-  for ((i = 0; i < 400; i++)); do "$@" && return || sleep 0.1; done
+  for ((i = 0; i < 400; i++)); do if "$@"; then return; fi; sleep 0.1; done
   false
 }
 IMAGES=$TREE/build/images
