@@ -30,7 +30,8 @@ echo "$status" >"$WORK/status"
 EOT
   export WORK TREE COPY BUILD
   # A program in the background hears no Ctrl-C, unless it is told to.
-  env --default-signal=INT,QUIT script -qfeac "$1 . '$WORK/inner'" "$WORK/screen" <"$WORK/keys" >/dev/null &
+  # The shell of `inner` is bash, whatever the user's own is.
+  env --default-signal=INT,QUIT SHELL="$BASH" script -qfeac "$1 . '$WORK/inner'" "$WORK/screen" <"$WORK/keys" >/dev/null &
   SCRIPT=$!
   exec 4>"$WORK/keys"
 }
