@@ -59,10 +59,10 @@ struct Misconception {
   Mistake mistake;
   std::string_view id;  ///< also the name of its picture
   Slot slot;
-  unsigned stages;  ///< StageBit of each stage that it can be made in
-  Text name;        ///< what is wrong, in a few words
-  Text question;    ///< leads to it without giving the answer
-  Text look;        ///< the slide, by its Greek title, and the formula
+  unsigned stages;       ///< StageBit of each stage that it can be made in
+  const Text& name;      ///< what is wrong, in a few words
+  const Text& question;  ///< leads to it without giving the answer
+  const Text& look;      ///< the slide, by its Greek title, and the formula
 };
 
 /// The stages as bits, in the course's order.

@@ -9,7 +9,7 @@ namespace {
 
 /// A section: the slots up to this one, in the order of the catalogue.
 struct Section {
-  Text title;
+  const Text& title;
   Slot last;
 };
 
