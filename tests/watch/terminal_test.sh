@@ -197,6 +197,7 @@ ended 0
 
 # The picture program dies: the page keeps the words, and the next save has pictures.
 put labs point
+rm -f "$IMAGES"/* # of the sessions before
 session ''
 comes 'q quit'
 check 'a picture' until_true test -s "$IMAGES/point-check.png"
