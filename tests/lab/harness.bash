@@ -53,7 +53,7 @@ make_machine() {
   local name
   rm -rf "${WORK:?}/bin"
   mkdir -p "$WORK/bin"
-  for name in bash readlink mkdir rm cp mv cat tail head tee tr od stat env nproc touch iconv; do
+  for name in bash readlink mkdir rm cp mv cat tail head tee tr od stat env nproc touch iconv find; do
     ln -s "$(command -v "$name")" "$WORK/bin/$name"
   done
 
