@@ -13,56 +13,18 @@
 namespace fos {
 namespace {
 
-/// The scenes of a stage's test, each once, and what came for them.
+/// What came for the questions' scenes.
 class Answers {
  public:
-  Answers(const Stage& stage, const StageTest& test)
-      : lecture_(read_scene_text(FOS_LECTURE_SCENE)) {
-    judges_.resize(stage.scenes.size());
-    in_parallel(judges_.size(), [&] {
-      return [&](std::size_t i) {
-        const std::string file = std::string(stage.scenes[i]) + ".ref";
-        judges_[i] = std::make_shared<const Judge>(
-            reference::read_reference(std::filesystem::path(FOS_REFERENCE_DATA) / file),
-            stage.terms);
-      };
-    });
-    // The large ones first, so that no processor is left waiting for one at the end.
-    for (const auto& judge : judges_) add(judge->scene());
-    for (const Check& check : test.checks) {
-      for (const PixelCase& pixel : check.pixels) add(scene(pixel));
-    }
-  }
+  Answers(const Questions& questions, const std::vector<Asked>& all)
+      : questions_(questions), all_(all) {}
 
-  void ask(const std::filesystem::path& program, const Limits& limits,
-           const std::stop_token& stop) {
-    answers_ = ask_all(program, limits, scenes_, stop);
-    for (const Asked& asked : answers_) {
-      if (asked.answer.ending == Ending::did_not_start) {
-        throw std::runtime_error(describe(asked.answer, program.string()));
-      }
-    }
-  }
-
-  const std::vector<std::shared_ptr<const Judge>>& judges() const { return judges_; }
-  const Asked& of(const Judge& judge) const { return at(judge.scene()); }
-  const Asked& of(const PixelCase& pixel) const { return at(scene(pixel)); }
-  const std::vector<Asked>& all() const { return answers_; }
+  const Asked& of(const Judge& judge) const { return all_[questions_.place(judge)]; }
+  const Asked& of(const PixelCase& pixel) const { return all_[questions_.place(pixel)]; }
 
  private:
-  SceneText scene(const PixelCase& pixel) const {
-    return pixel.scene.empty() ? lecture_ : parse_scene_text(pixel.scene, "scene");
-  }
-  void add(const SceneText& scene) {
-    if (places_.emplace(scene.source, scenes_.size()).second) scenes_.push_back(scene);
-  }
-  const Asked& at(const SceneText& scene) const { return answers_[places_.at(scene.source)]; }
-
-  SceneText lecture_;
-  std::vector<std::shared_ptr<const Judge>> judges_;  // one a scene of the stage
-  std::vector<SceneText> scenes_;
-  std::map<std::string, std::size_t> places_;  // by their text
-  std::vector<Asked> answers_;
+  const Questions& questions_;
+  const std::vector<Asked>& all_;
 };
 
 Outcome outcome(const Finding& finding, bool all_asked) {
@@ -104,13 +66,14 @@ Finding find(const Check& check, const Answers& answers) {
 }
 
 /// Every pixel of every scene of the stage, and which of them to show.
-Finding find_whole_frames(const Stage& stage, const Answers& answers, Findings& findings) {
+Finding find_whole_frames(const Questions& questions, const Answers& answers, Findings& findings) {
+  const Stage& stage = questions.stage();
   const int scenes = static_cast<int>(stage.scenes.size());
   Finding finding{say(text::check_every_pixel), Outcome::passed, 0, scenes, "", std::nullopt};
   bool all_asked = true;
   bool wrong_is_shown = false;
   for (std::size_t i = 0; i < stage.scenes.size(); ++i) {
-    const Judge& judge = *answers.judges()[i];
+    const Judge& judge = *questions.judges()[i];
     const Asked& asked = answers.of(judge);
     all_asked = all_asked && asked.asked;
     if (!asked.asked) continue;
@@ -129,7 +92,7 @@ Finding find_whole_frames(const Stage& stage, const Answers& answers, Findings& 
       finding.spot = {name == "lecture" ? "" : judge.scene().source, verdict.first_wrong()};
     }
     if (!findings.shown || (!verdict.passes() && !wrong_is_shown)) {
-      findings.shown = {name, answers.judges()[i], asked.frame, verdict};
+      findings.shown = {name, questions.judges()[i], asked.frame, verdict};
       wrong_is_shown = !verdict.passes();
     }
   }
@@ -139,25 +102,57 @@ Finding find_whole_frames(const Stage& stage, const Answers& answers, Findings& 
 
 }  // namespace
 
-Findings examine(const Stage& stage, const std::filesystem::path& program, const Limits& limits,
-                 const std::stop_token& stop) {
-  const StageTest& test = stage_test(stage.id);
-  Answers answers(stage, test);
-  answers.ask(program, limits, stop);
+Questions::Questions(const Stage& stage)
+    : stage_(&stage), test_(&stage_test(stage.id)), lecture_(read_scene_text(FOS_LECTURE_SCENE)) {
+  judges_.resize(stage.scenes.size());
+  in_parallel(judges_.size(), [&] {
+    return [&](std::size_t i) {
+      const std::string file = std::string(stage.scenes[i]) + ".ref";
+      judges_[i] = std::make_shared<const Judge>(
+          reference::read_reference(std::filesystem::path(FOS_REFERENCE_DATA) / file), stage.terms);
+    };
+  });
+  for (const auto& judge : judges_) add(judge->scene());
+  for (const Check& check : test_->checks) {
+    for (const PixelCase& pixel : check.pixels) add(scene(pixel));
+  }
+}
+
+SceneText Questions::scene(const PixelCase& pixel) const {
+  return pixel.scene.empty() ? lecture_ : parse_scene_text(pixel.scene, "scene");
+}
+
+void Questions::add(const SceneText& scene) {
+  if (places_.emplace(scene.source, scenes_.size()).second) scenes_.push_back(scene);
+}
+
+Findings examine(const Questions& questions, const std::vector<Asked>& answers) {
+  const Answers came(questions, answers);
   Findings findings;
-  findings.stage = &stage;
-  for (const Check& check : test.checks) findings.list.push_back(find(check, answers));
-  findings.list.push_back(find_whole_frames(stage, answers, findings));
+  findings.stage = &questions.stage();
+  for (const Check& check : questions.test().checks) findings.list.push_back(find(check, came));
+  findings.list.push_back(find_whole_frames(questions, came, findings));
   for (const Finding& finding : findings.list) {
     findings.passed += finding.passed;
     findings.things += finding.things;
   }
-  for (const Asked& asked : answers.all()) {
+  for (const Asked& asked : answers) {
     if (asked.asked && asked.answer.ending != Ending::complete && findings.printed.empty()) {
       findings.printed = asked.printed;
     }
   }
   return findings;
+}
+
+Findings examine(const Questions& questions, const std::filesystem::path& program,
+                 const Limits& limits, const std::stop_token& stop) {
+  const std::vector<Asked> answers = ask_all(program, limits, questions.scenes(), stop);
+  for (const Asked& asked : answers) {
+    if (asked.answer.ending == Ending::did_not_start) {
+      throw std::runtime_error(describe(asked.answer, program.string()));
+    }
+  }
+  return examine(questions, answers);
 }
 
 Limits patient_limits() { return {std::chrono::seconds(60), 5, true, true}; }

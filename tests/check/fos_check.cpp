@@ -84,7 +84,7 @@ bool check_one(const Options& options, const Job& job, const Paint& paint) {
                               paint);
     return false;
   }
-  const Findings findings = examine(*job.stage, job.program, patient_limits());
+  const Findings findings = examine(Questions(*job.stage), job.program, patient_limits());
   std::optional<PictureMaker> maker;
   if (findings.shown && !findings.shown->verdict.passes()) maker.emplace(options.picture_program);
   const std::vector<Panel> panels = panels_of(findings, difference_of(findings));
@@ -109,7 +109,7 @@ bool check_all(const Options& options, const Paint& paint) {
   for (const Job& job : options.jobs) {
     StageResult result{job.stage, std::nullopt, ""};
     if (!job.program.empty()) {
-      result.findings = examine(*job.stage, job.program, patient_limits());
+      result.findings = examine(Questions(*job.stage), job.program, patient_limits());
       if (first_failure(*result.findings) != nullptr) {
         result.mistake = advise(*job.stage, job.program, patient_limits()).mistake;
       }

@@ -22,7 +22,7 @@ Findings examined() {
   const auto stage = std::find_if(std::begin(stages), std::end(stages),
                                   [&](const Stage& each) { return each.id == id; });
   REQUIRE(stage != std::end(stages));
-  return examine(*stage, variable("FOS_PROGRAM"), patient_limits());
+  return examine(Questions(*stage), variable("FOS_PROGRAM"), patient_limits());
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ Frame ask(const Submission& submission, const SceneText& scene) {
 }
 
 bool passes(const Submission& submission) {
-  return examine(*submission.stage, submission.program, patient_limits()).passes();
+  return examine(Questions(*submission.stage), submission.program, patient_limits()).passes();
 }
 
 std::string word(const std::vector<MistakeMade>& findings) {

@@ -87,7 +87,7 @@ void Checker::check(const CheckJob& job, long serial, const std::stop_token& sto
   std::string advice;
   if (built.is_built) {
     const auto program = places_.program("lab_" + std::string(stage.id));
-    findings = examine(stage, program, patient_limits(), stop);
+    findings = examine(Questions(stage), program, patient_limits(), stop);
     differs = difference_of(*findings);
     panels = panels_of(*findings, differs);
     checked.passes = findings->passes();

@@ -1,0 +1,196 @@
+#include "stage_score.hpp"
+
+#include <algorithm>
+
+#include "fos/text.hpp"
+#include "mistaken_answers.hpp"
+#include "report.hpp"
+
+namespace fos::grading {
+namespace {
+
+/// Whether a whole frame came for the scene at a place, and is accepted.
+using Accepts = std::function<bool(std::size_t place)>;
+
+Cause cause_of(const Verdict& verdict) {
+  if (verdict.not_finite.pixels > 0) return Cause::not_finite;
+  if (verdict.wrong.pixels > 0) return Cause::wrong_pixels;
+  return verdict.unwritten.pixels > 0 ? Cause::unwritten : Cause::none;
+}
+
+bool is_whole(const Asked& asked) { return asked.asked && asked.answer.ending == Ending::complete; }
+
+/// The public checks, as in `./lab check`, with why they fail.
+std::vector<CheckResult> public_checks(const StageQuestions& questions,
+                                       const std::vector<Asked>& answers) {
+  const Questions& checks = questions.checks();
+  const auto count = static_cast<std::ptrdiff_t>(checks.scenes().size());
+  const Findings findings = examine(checks, {answers.begin(), answers.begin() + count});
+  std::vector<CheckResult> results;
+  for (std::size_t i = 0; i < findings.list.size(); ++i) {
+    const Finding& finding = findings.list[i];
+    const bool is_check = i < checks.test().checks.size();
+    const Text& words = is_check ? checks.test().checks[i].words : text::check_every_pixel;
+    CheckResult result{Part::checks, std::string(words.en), std::string(words.el)};
+    result.passed = finding.passed;
+    result.things = finding.things;
+    result.why = finding.why;
+    result.status = finding.passed == finding.things ? Status::passed : Status::failed;
+    if (result.status == Status::failed) result.cause = Cause::wrong_pixels;
+    results.push_back(std::move(result));
+  }
+  return results;
+}
+
+CheckResult drawn_scenes(const StageQuestions& questions, const std::vector<Asked>& answers) {
+  CheckResult result{Part::scenes, std::string(text::grade_drawn.en),
+                     std::string(text::grade_drawn.el)};
+  result.things = static_cast<int>(questions.drawn().size());
+  for (std::size_t i = 0; i < questions.drawn().size(); ++i) {
+    const Asked& asked = answers[questions.first_drawn() + i];
+    const Cause cause =
+        is_whole(asked) ? cause_of(questions.drawn()[i]->judge(*asked.frame)) : cause_of(asked);
+    if (cause == Cause::none) ++result.passed;
+    if (result.cause == Cause::none) result.cause = cause;
+  }
+  result.status = result.passed == result.things ? Status::passed : Status::failed;
+  return result;
+}
+
+const Text& words(Relation relation) {
+  switch (relation) {
+    case Relation::mirrored:
+      return text::grade_mirrored;
+    case Relation::dimmed:
+      return text::grade_dimmed;
+    case Relation::reordered:
+      break;
+  }
+  return text::grade_reordered;
+}
+
+CheckResult related(Relation relation, const StageQuestions& questions,
+                    const std::vector<Asked>& answers) {
+  const Text& about = words(relation);
+  CheckResult result{Part::relations, std::string(about.en), std::string(about.el), Status::failed};
+  const std::size_t base = StageQuestions::base_of(relation);
+  const Asked& from = answers[questions.first_drawn() + base];
+  const Asked& to = answers[questions.place(relation)];
+  for (const Asked* asked : {&from, &to}) {
+    if (result.cause == Cause::none && !is_whole(*asked)) result.cause = cause_of(*asked);
+  }
+  if (result.cause != Cause::none) return result;
+  const Judge& judge = *questions.drawn()[base];
+  // A wrong picture can be mirrored too: what it shows must be right to begin with.
+  result.cause = cause_of(judge.judge(*from.frame));
+  if (result.cause == Cause::none &&
+      !holds(relation, questions.stage().terms != 0, judge, *from.frame, *to.frame)) {
+    result.cause = Cause::wrong_pixels;
+  }
+  if (result.cause == Cause::none) {
+    result.status = Status::passed;
+    result.passed = 1;
+  }
+  return result;
+}
+
+int percent_of(const Shares& shares, Part part) {
+  return part == Part::checks   ? shares.checks
+         : part == Part::scenes ? shares.scenes
+                                : shares.relations;
+}
+
+/// Hundredths, rounded down, so that only what is whole gives all.
+int points(const StageResult& result, const Shares& shares) {
+  long sum = 0;
+  bool all = true;
+  for (const Part part : parts) {
+    long passed = 0;
+    long things = 0;
+    for (const CheckResult& check : result.checks) {
+      if (check.part != part) continue;
+      passed += check.passed;
+      things += check.things;
+    }
+    all = all && passed == things;
+    if (things > 0) sum += result.most * passed * percent_of(shares, part) / things;
+  }
+  return all ? result.most : static_cast<int>(sum / 100);
+}
+
+}  // namespace
+
+Cause cause_of(const Asked& asked) {
+  if (!asked.asked) return Cause::out_of_time;  // an answer before it never came
+  switch (asked.answer.ending) {
+    case Ending::complete:
+      return Cause::none;
+    case Ending::refused:
+      return Cause::refused;
+    case Ending::crashed:
+      return Cause::crashed;
+    case Ending::timed_out:
+      return Cause::out_of_time;
+    case Ending::exited:
+    case Ending::malformed:
+      return Cause::left;
+    case Ending::did_not_start:
+      break;
+  }
+  return Cause::infrastructure;
+}
+
+StageResult score(const StageQuestions& questions, const std::vector<Asked>& answers,
+                  const Shares& shares) {
+  StageResult result;
+  result.stage = questions.stage().id;
+  result.most = 100 * questions.stage().points;
+  result.checks = public_checks(questions, answers);
+  result.checks.push_back(drawn_scenes(questions, answers));
+  for (const Relation relation : relations)
+    result.checks.push_back(related(relation, questions, answers));
+  result.points = points(result, shares);
+  result.status = result.points == result.most ? Status::passed : Status::failed;
+  for (const Asked& asked : answers) {
+    if (!is_whole(asked) && result.cause == Cause::none) {
+      result.cause = cause_of(asked);
+      result.program = asked.printed.substr(0, most_text);
+    }
+  }
+  return result;
+}
+
+void count_carried(StageResult& result, const StageQuestions& questions,
+                   const std::vector<Asked>& answers, const Diagnosis& diagnosis,
+                   const Shares& shares) {
+  const MistakenAnswers mistaken(questions.stage(), diagnosis);
+  StageResult counted = result;
+  for (CheckResult& check : counted.checks) check.passed = 0;
+  const auto is_mistaken = [&](std::size_t place) {
+    return is_whole(answers[place]) &&
+           mistaken.gives(questions.scenes()[place], *answers[place].frame);
+  };
+  const std::vector<Check>& checks = questions.checks().test().checks;
+  for (std::size_t i = 0; i < checks.size(); ++i) {
+    const bool all = std::all_of(
+        checks[i].pixels.begin(), checks[i].pixels.end(),
+        [&](const PixelCase& pixel) { return is_mistaken(questions.checks().place(pixel)); });
+    counted.checks[i].passed = all ? 1 : result.checks[i].passed;
+  }
+  CheckResult& whole = counted.checks[checks.size()];
+  for (const auto& judge : questions.checks().judges())
+    whole.passed += is_mistaken(questions.checks().place(*judge));
+  CheckResult& drawn = counted.checks[checks.size() + 1];
+  for (std::size_t i = 0; i < questions.drawn().size(); ++i)
+    drawn.passed += is_mistaken(questions.first_drawn() + i);
+  for (std::size_t i = 0; i < relations.size(); ++i) {
+    CheckResult& each = counted.checks[checks.size() + 2 + i];
+    each.passed = is_mistaken(questions.place(relations[i])) ? 1 : 0;
+  }
+  const int more = points(counted, shares);
+  if (more <= result.points) return;
+  result.points = more;
+  result.carried = true;
+}
+
+}  // namespace fos::grading

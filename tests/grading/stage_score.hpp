@@ -1,0 +1,34 @@
+// From what a stage program answered to its points.
+#pragma once
+
+#include <vector>
+
+#include "asked.hpp"
+#include "diagnosis.hpp"
+#include "result.hpp"
+#include "stage_questions.hpp"
+
+namespace fos::grading {
+
+/// How a stage's points are shared out, in percent; together 100.
+struct Shares {
+  int checks = 60;
+  int scenes = 25;
+  int relations = 15;
+};
+
+/// Each line of the report and the points. `answers` are for questions.scenes(), in that order.
+/// Nothing is taken for granted: what did not come, or was not asked, gives no points.
+StageResult score(const StageQuestions& questions, const std::vector<Asked>& answers,
+                  const Shares& shares);
+
+/// Counts again, taking for right what the mistakes make of each scene: for a stage whose mistakes
+/// were all made, and paid for, in an earlier one. Sets `carried` where it gives more points.
+void count_carried(StageResult& result, const StageQuestions& questions,
+                   const std::vector<Asked>& answers, const Diagnosis& diagnosis,
+                   const Shares& shares);
+
+/// Why the answer is no frame, or a wrong one of which only that is known; Cause::none for a frame.
+Cause cause_of(const Asked& asked);
+
+}  // namespace fos::grading
