@@ -12,6 +12,7 @@ namespace fos {
 namespace {
 
 constexpr std::size_t most_words = 4096;
+constexpr std::chrono::milliseconds waiting_step{250};
 
 bool is_to_be_tried_again() { return errno == EINTR || errno == EAGAIN; }
 
@@ -23,9 +24,12 @@ Exchange::Result Exchange::receive(std::span<char> bytes) {
     std::array<pollfd, 3> descriptors{pollfd{frames_, POLLIN, 0},
                                       pollfd{to_send_.empty() ? -1 : requests_, POLLOUT, 0},
                                       pollfd{printed_, POLLIN, 0}};
-    const int ready = poll(descriptors.data(), descriptors.size(), 250);
+    const int ready = poll(descriptors.data(), descriptors.size(), waiting_step.count());
     if (is_late()) return Result::late;
-    if (ready == 0) on_wait_();
+    if (Clock::now() - last_sign_ >= waiting_step) {
+      on_wait_();
+      last_sign_ = Clock::now();
+    }
     if (ready <= 0) continue;
     if (descriptors[1].revents != 0) send_some();
     if (descriptors[2].revents != 0) hear_some();
@@ -35,6 +39,7 @@ Exchange::Result Exchange::receive(std::span<char> bytes) {
     if (count < 0 && is_to_be_tried_again()) continue;
     if (count <= 0) return Result::closed;
     received_ += static_cast<std::size_t>(count);
+    last_sign_ = Clock::now();
   }
   return Result::filled;
 }

@@ -52,6 +52,7 @@ class Exchange {
   std::chrono::milliseconds wall_;
   const std::function<void()>& on_wait_;
   Clock::time_point start_ = Clock::now();
+  Clock::time_point last_sign_ = Clock::now();  // of the frame, or that somebody was told to wait
 };
 
 }  // namespace fos

@@ -118,6 +118,8 @@ std::string describe(const Answer& answer, std::string_view scene_name) {
       return say(text::check_crashed, {scene_name, crash(answer.detail), column, row}) + "\n";
     case Ending::timed_out:
       return say(text::check_timed_out, {scene_name, column, row}) + "\n";
+    case Ending::out_of_memory:
+      return say(text::check_out_of_memory, {scene_name, column, row}) + "\n";
     case Ending::exited:
       return say(text::check_exited, {scene_name, detail, column, row}) + "\n";
     case Ending::malformed:

@@ -30,6 +30,7 @@ std::string no_answer(const Given& given) {
       return say(text::explain_malformed);
     case Ending::refused:
       return say(text::explain_refused);
+    case Ending::out_of_memory:  // where somebody watches the memory; nobody does here
     case Ending::did_not_start:
       break;
   }

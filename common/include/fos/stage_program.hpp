@@ -5,7 +5,9 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "fos/frame.hpp"
 #include "fos/request.hpp"
@@ -17,10 +19,11 @@ enum class Ending {
   complete,       ///< the whole frame came
   refused,        ///< the program cannot carry the scene, and has said why on standard error
   crashed,        ///< killed by a signal: `detail`
-  timed_out,      ///< over its limits
+  timed_out,      ///< over its limits of time, or idle while it was waited for
+  out_of_memory,  ///< over the limit that a supervisor watches
   exited,         ///< exited in mid-frame, with status `detail`
   malformed,      ///< what came is not a frame of the size asked for
-  did_not_start,  ///< errno in `detail`: infrastructure, not the stage's fault
+  did_not_start,  ///< errno in `detail`, or 0: infrastructure, not the stage's fault
 };
 
 struct Answer {
@@ -40,16 +43,29 @@ struct Limits {
                        ///< keeps in statics is gone. It costs a fifth of a new program
 };
 
+/// A stage program that a supervisor runs, in a box for instance.
+struct SupervisedCommand {
+  /// Whatever leads to the program, each descriptor left as it is; its last word is the program's
+  /// own, and what starts first has a path. In front of the program is a supervisor
+  /// (fos/supervision.hpp), whose limits of time and memory hold; of Limits only `wall`, `hear` and
+  /// `fresh` do. A program that is not heard prints to nowhere.
+  std::vector<std::string> words;
+};
+
 /// Called about four times a second while nothing comes.
 using WaitSink = std::function<void()>;
 using HeaderSink = std::function<void(const FrameHeader&)>;
 using ReceivedRow = std::function<void(int row, const Row&)>;
+
+class Exchange;
+class Supervision;
 
 /// One running program. It is started at the first question, asked any number of scenes, and killed
 /// at the end or when an answer is not complete (the next question starts a new one).
 class StageProgram {
  public:
   explicit StageProgram(std::filesystem::path program, Limits limits = {});
+  explicit StageProgram(SupervisedCommand command, Limits limits = {});
   ~StageProgram();
   StageProgram(const StageProgram&) = delete;
   StageProgram& operator=(const StageProgram&) = delete;
@@ -71,12 +87,22 @@ class StageProgram {
   /// The running program's process, or -1: to ask the system what it uses.
   int process() const { return process_; }
 
+  /// Ends the program, if it runs. Where it is supervised, nothing of it is left afterwards.
+  void end() { stop(); }
+
+  /// Seconds of processor time that the programs took which have ended, as their supervisors say.
+  double cpu_seconds() const { return cpu_seconds_; }
+
  private:
   bool start();
-  int stop();  ///< kills and reaps; the wait status
+  int stop();  ///< ends and reaps; the wait status
+  Answer supervised_ending(Answer answer, bool late, Exchange& exchange);
 
-  std::filesystem::path program_;
+  std::vector<std::string> words_of_command_;
+  bool supervised_ = false;
   Limits limits_;
+  std::unique_ptr<Supervision> supervision_;  // where it is supervised and runs
+  double cpu_seconds_ = 0;
   int process_ = -1;
   int requests_ = -1;  // a socket: the program's standard input
   int frames_ = -1;    // a pipe from the program's descriptor 3
