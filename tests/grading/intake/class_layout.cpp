@@ -107,6 +107,9 @@ std::optional<ClassKind> kind_of(const Level& level, const Listing& listing,
   if (moodle_files || any_folder(is_moodle)) return ClassKind::moodle;
   if (is_one_persons(level, stages)) return ClassKind::one;
 
+  const bool only_a_folder =
+      level.folders.size() == 1 && level.files.empty() && level.other_files.empty();
+  if (only_a_folder && root.empty()) return std::nullopt;
   const std::string around(
       file_name(std::string_view(root).substr(0, root.size() - !root.empty())));
   const std::string& last = root.empty() ? path_name : around;
@@ -206,13 +209,17 @@ void add_people(Layout& layout, const Level& level) {
 }  // namespace
 
 void Listing::add(const FileEntry& entry, std::span<const Stage> stages) {
+  if (entry.kind == FileKind::outside) {
+    files.push_back(entry);
+    return;
+  }
   if (is_clutter(entry.path)) return;
   const auto parts = parts_of(entry.path);
   std::string folder;
   const std::size_t above = parts.size() - (entry.kind == FileKind::folder ? 0 : 1);
   for (std::size_t i = 0; i < above && i < 4; ++i) {
     folder += (i == 0 ? "" : "/") + std::string(parts[i]);
-    if (entry.kind != FileKind::outside) folders.insert(folder);
+    folders.insert(folder);
   }
   if (entry.kind == FileKind::regular && parts.back() == "submission_metadata.yml" &&
       parts.size() <= 3)

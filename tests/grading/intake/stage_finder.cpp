@@ -62,9 +62,9 @@ Why why_of(Trouble trouble) {
 }  // namespace
 
 bool is_of_interest(const FileEntry& entry, std::span<const Stage> stages) {
-  if (is_clutter(entry.path)) return false;
-  if (entry.kind == FileKind::folder) return false;
-  if (entry.kind == FileKind::closed || entry.kind == FileKind::outside) return true;
+  if (entry.kind == FileKind::outside) return true;
+  if (entry.kind == FileKind::folder || is_clutter(entry.path)) return false;
+  if (entry.kind == FileKind::closed) return true;
   const std::string_view name = file_name(entry.path);
   return stage_of(name, stages) || is_zip_name(name) || !other_archive(name).empty() ||
          may_be_source(name);

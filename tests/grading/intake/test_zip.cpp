@@ -20,9 +20,11 @@ struct Packed {
 class Packer {
  public:
   explicit Packer(bool deflated) : deflated_(deflated) {
-    deflateInit2(&stream_, 9, Z_DEFLATED, -15, 9, Z_DEFAULT_STRATEGY);
+    if (deflated) deflateInit2(&stream_, 1, Z_DEFLATED, -15, 9, Z_DEFAULT_STRATEGY);
   }
-  ~Packer() { deflateEnd(&stream_); }
+  ~Packer() {
+    if (deflated_) deflateEnd(&stream_);
+  }
   Packer(const Packer&) = delete;
   Packer& operator=(const Packer&) = delete;
 
@@ -101,6 +103,22 @@ std::string zip_of(const std::vector<TestEntry>& entries) {
   }
   const std::size_t list_at = out.size();
   out += list;
+  if (entries.size() > 0xFFFF) {  // the count does not fit: zip64 has another place for it
+    const std::size_t at = out.size();
+    put(out, 0x06064b50, 4);
+    put(out, 44, 8);
+    put(out, 45, 2);
+    put(out, 45, 2);
+    put(out, 0, 8);
+    put(out, entries.size(), 8);
+    put(out, entries.size(), 8);
+    put(out, list.size(), 8);
+    put(out, list_at, 8);
+    put(out, 0x07064b50, 4);
+    put(out, 0, 4);
+    put(out, at, 8);
+    put(out, 1, 4);
+  }
   put(out, 0x06054b50, 4);
   put(out, 0, 4);
   put(out, std::min<std::size_t>(entries.size(), 0xFFFF), 2);

@@ -68,6 +68,7 @@ class Zip : public Container {
 
 Zip::Zip(std::unique_ptr<ZipBytes> bytes, ListLimits limits) : bytes_(std::move(bytes)) {
   // A zip that lost its end is a damaged zip, not another kind of file.
+  if (bytes_->size() == 0) throw ContainerError(Trouble::not_a_zip);  // to libzip, a new zip
   const bool begins_as_zip = bytes_->head(4).starts_with("PK");
   zip_error_t error;
   zip_error_init(&error);
