@@ -2,9 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
+#include "diagnosis.hpp"
 #include "fos/stage_list.hpp"
 #include "fos/stage_program.hpp"
 
@@ -16,10 +19,17 @@ struct Advice {
   /// has a name, what the pixels show of where the chain first goes wrong. Lines, ready to print;
   /// empty where they show nothing.
   std::string words;
+  Diagnosis diagnosis;
 };
 
-/// Asks the program for the diagnostic scenes, and looks for the mistake that gives these pixels.
-/// Throws where the data of the mistakes cannot be read, and Stopped soon after `stop` asks for it.
+/// What came for scenes, in their order: an empty frame where no whole one did.
+using AskFrames = std::function<std::vector<Frame>(const std::vector<SceneText>&)>;
+
+/// Asks for the diagnostic scenes, and looks for the mistake that gives these pixels. Throws where
+/// the data of the mistakes cannot be read.
+Advice advise(const Stage& stage, const AskFrames& ask);
+
+/// The same of a program. Throws Stopped soon after `stop` asks for it.
 Advice advise(const Stage& stage, const std::filesystem::path& program, const Limits& limits,
               const std::stop_token& stop = {});
 

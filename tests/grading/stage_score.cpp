@@ -9,13 +9,19 @@
 namespace fos::grading {
 namespace {
 
-/// Whether a whole frame came for the scene at a place, and is accepted.
-using Accepts = std::function<bool(std::size_t place)>;
-
-Cause cause_of(const Verdict& verdict) {
+/// What is wrong with a frame.
+Cause cause_in(const Verdict& verdict) {
   if (verdict.not_finite.pixels > 0) return Cause::not_finite;
   if (verdict.wrong.pixels > 0) return Cause::wrong_pixels;
   return verdict.unwritten.pixels > 0 ? Cause::unwritten : Cause::none;
+}
+
+CheckResult line_of(Part part, const Text& words) {
+  CheckResult result;
+  result.part = part;
+  result.words_en = words.en;
+  result.words_el = words.el;
+  return result;
 }
 
 bool is_whole(const Asked& asked) { return asked.asked && asked.answer.ending == Ending::complete; }
@@ -31,7 +37,7 @@ std::vector<CheckResult> public_checks(const StageQuestions& questions,
     const Finding& finding = findings.list[i];
     const bool is_check = i < checks.test().checks.size();
     const Text& words = is_check ? checks.test().checks[i].words : text::check_every_pixel;
-    CheckResult result{Part::checks, std::string(words.en), std::string(words.el)};
+    CheckResult result = line_of(Part::checks, words);
     result.passed = finding.passed;
     result.things = finding.things;
     result.why = finding.why;
@@ -43,13 +49,12 @@ std::vector<CheckResult> public_checks(const StageQuestions& questions,
 }
 
 CheckResult drawn_scenes(const StageQuestions& questions, const std::vector<Asked>& answers) {
-  CheckResult result{Part::scenes, std::string(text::grade_drawn.en),
-                     std::string(text::grade_drawn.el)};
+  CheckResult result = line_of(Part::scenes, text::grade_drawn);
   result.things = static_cast<int>(questions.drawn().size());
   for (std::size_t i = 0; i < questions.drawn().size(); ++i) {
     const Asked& asked = answers[questions.first_drawn() + i];
     const Cause cause =
-        is_whole(asked) ? cause_of(questions.drawn()[i]->judge(*asked.frame)) : cause_of(asked);
+        is_whole(asked) ? cause_in(questions.drawn()[i]->judge(*asked.frame)) : cause_of(asked);
     if (cause == Cause::none) ++result.passed;
     if (result.cause == Cause::none) result.cause = cause;
   }
@@ -71,8 +76,8 @@ const Text& words(Relation relation) {
 
 CheckResult related(Relation relation, const StageQuestions& questions,
                     const std::vector<Asked>& answers) {
-  const Text& about = words(relation);
-  CheckResult result{Part::relations, std::string(about.en), std::string(about.el), Status::failed};
+  CheckResult result = line_of(Part::relations, words(relation));
+  result.status = Status::failed;
   const std::size_t base = StageQuestions::base_of(relation);
   const Asked& from = answers[questions.first_drawn() + base];
   const Asked& to = answers[questions.place(relation)];
@@ -82,7 +87,7 @@ CheckResult related(Relation relation, const StageQuestions& questions,
   if (result.cause != Cause::none) return result;
   const Judge& judge = *questions.drawn()[base];
   // A wrong picture can be mirrored too: what it shows must be right to begin with.
-  result.cause = cause_of(judge.judge(*from.frame));
+  result.cause = cause_in(judge.judge(*from.frame));
   if (result.cause == Cause::none &&
       !holds(relation, questions.stage().terms != 0, judge, *from.frame, *to.frame)) {
     result.cause = Cause::wrong_pixels;
@@ -131,6 +136,8 @@ Cause cause_of(const Asked& asked) {
       return Cause::crashed;
     case Ending::timed_out:
       return Cause::out_of_time;
+    case Ending::out_of_memory:
+      return Cause::out_of_memory;
     case Ending::exited:
     case Ending::malformed:
       return Cause::left;
