@@ -1,0 +1,71 @@
+#include "class_run.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "fos/progress.hpp"
+#include "fos/text.hpp"
+
+namespace fos::grading {
+
+Tally grade_class(const ClassFiles& hand_ins, const std::vector<std::string>& keys,
+                  const Course& course, Journal& journal, const GradeOptions& options,
+                  const std::atomic<bool>& stop) {
+  Tally tally;
+  std::vector<std::size_t> left;
+  for (std::size_t i = 0; i < hand_ins.size(); ++i) {
+    if (!journal.is_finished(hand_ins.whose(i).id, keys[i])) left.push_back(i);
+  }
+  tally.finished_before = hand_ins.size() - left.size();
+
+  std::mutex busy;
+  Progress progress(say(text::grade_progress), static_cast<long>(left.size()));
+  std::size_t next = 0;
+  std::exception_ptr failure;
+  const auto ended = [&] { return stop || failure; };
+  const auto take = [&](HandIn& hand_in, std::size_t& place) {
+    const std::scoped_lock lock(busy);
+    if (next == left.size() || ended()) return false;
+    place = left[next++];
+    hand_in = hand_ins.read(place);
+    return true;
+  };
+  const auto wait = [&] {
+    const std::scoped_lock lock(busy);
+    if (ended()) throw Interrupted();
+    progress.wait();
+  };
+  const auto work = [&](unsigned slot) {
+    try {
+      SubmissionGrader grader(course, slot, options.output / "scratch" / std::to_string(slot));
+      HandIn hand_in;
+      for (std::size_t place = 0; take(hand_in, place);) {
+        const auto pictures = submission_folder(options.output, hand_in.whose.id);
+        SubmissionResult result = grader.grade(hand_in, pictures, wait);
+        result.key = keys[place];
+        journal.write(result);
+        const std::scoped_lock lock(busy);
+        if (result.status == Status::not_judged) ++tally.not_judged;
+        progress.update(static_cast<long>(++tally.graded));
+      }
+    } catch (const Interrupted&) {  // NOLINT(bugprone-empty-catch): what is finished is kept
+    } catch (...) {
+      const std::scoped_lock lock(busy);
+      if (!failure) failure = std::current_exception();
+    }
+  };
+  {
+    const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
+    const auto jobs =
+        std::min<std::size_t>(options.jobs == 0 ? processors : options.jobs, left.size());
+    std::vector<std::jthread> workers;
+    for (unsigned slot = 0; slot < jobs; ++slot) workers.emplace_back(work, slot);
+  }
+  if (failure) std::rethrow_exception(failure);
+  if (stop) throw Interrupted();
+  return tally;
+}
+
+}  // namespace fos::grading

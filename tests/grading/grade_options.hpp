@@ -1,0 +1,44 @@
+// What `./lab grade` is told.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "fos/stage_list.hpp"
+#include "grading/box/level.hpp"
+#include "grading/report/report_files.hpp"
+#include "result.hpp"
+
+namespace fos::grading {
+
+/// The message is ready to print; exit status 2.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct GradeOptions {
+  std::filesystem::path path;    ///< what is graded
+  std::filesystem::path output;  ///< DIR
+  std::filesystem::path root;    ///< of the toolkit's tree
+  std::filesystem::path build;   ///< its build folder
+  unsigned jobs = 0;             ///< 0: one a processor
+  std::optional<std::uint64_t> seed;
+  std::vector<const Stage*> stages;  ///< in the course's order; all of them by default
+  std::set<ReportFormat> formats;
+  Feedback feedback = Feedback::full;
+  std::filesystem::path roster;
+  std::filesystem::path overrides;
+  std::optional<Level> box;  ///< this level or nothing
+  bool unsafe = false;
+};
+
+/// Throws UsageError.
+GradeOptions parse_grade_options(const std::vector<std::string>& arguments);
+
+}  // namespace fos::grading

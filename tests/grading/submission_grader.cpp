@@ -1,0 +1,175 @@
+#include "submission_grader.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "advice.hpp"
+#include "asking.hpp"
+#include "comparison.hpp"
+#include "fos/text.hpp"
+
+namespace fos::grading {
+namespace {
+
+/// A stage of which nothing can be asked.
+StageResult without_program(const Stage& stage, Status status, Cause cause) {
+  StageResult result;
+  result.stage = stage.id;
+  result.most = 100 * stage.points;
+  result.status = status;
+  result.cause = cause;
+  return result;
+}
+
+std::string at_most(std::string text) {
+  if (text.size() > most_text) text.resize(most_text);
+  return text;
+}
+
+/// What each of these scenes gave, an empty frame for none.
+std::vector<Frame> frames_of(const std::vector<Asked>& answers) {
+  std::vector<Frame> frames;
+  for (const Asked& asked : answers) {
+    const bool whole = asked.asked && asked.answer.ending == Ending::complete;
+    frames.push_back(whole ? *asked.frame : Frame());
+  }
+  return frames;
+}
+
+}  // namespace
+
+SubmissionGrader::SubmissionGrader(const Course& course, unsigned slot,
+                                   std::filesystem::path scratch)
+    : course_(course),
+      box_(course.box, slot, scratch / "box"),
+      scratch_(std::move(scratch)),
+      maker_(course.picture_program) {}
+
+SubmissionResult SubmissionGrader::grade(const HandIn& hand_in,
+                                         const std::filesystem::path& pictures,
+                                         const std::function<void()>& on_wait) {
+  on_wait_ = on_wait;
+  charged_.clear();
+  SubmissionResult result;
+  result.id = hand_in.whose.id;
+  result.name = hand_in.whose.name;
+  result.username = hand_in.whose.username;
+  result.email = hand_in.whose.email;
+  result.source = hand_in.whose.source;
+  result.box = name(box_.level());
+  result.seed = course_.seed;
+  result.notes = hand_in.notes;
+  result.status = Status::passed;
+  for (const StageQuestions& questions : course_.stages) {
+    const auto file =
+        std::find_if(hand_in.files.begin(), hand_in.files.end(),
+                     [&](const StageFile& each) { return each.stage == questions.stage().id; });
+    if (file == hand_in.files.end()) continue;
+    result.stages.push_back(grade_stage(questions, *file, pictures));
+    const Status status = result.stages.back().status;
+    if (status == Status::not_judged) result.status = Status::not_judged;
+    if (status == Status::failed && result.status == Status::passed) result.status = Status::failed;
+  }
+  return result;
+}
+
+StageResult SubmissionGrader::grade_stage(const StageQuestions& questions, const StageFile& file,
+                                          const std::filesystem::path& pictures) {
+  const Stage& stage = questions.stage();
+  if (file.why != Why::none) {
+    StageResult result = without_program(stage, Status::failed, Cause::no_file);
+    result.program = file.words;
+    return result;
+  }
+  std::string trouble;
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    try {
+      return ask_stage(questions, file, pictures);
+    } catch (const InfrastructureError& error) {
+      trouble = error.what();
+    }
+  }
+  StageResult result = without_program(stage, Status::not_judged, Cause::infrastructure);
+  result.program = at_most(trouble);
+  return result;
+}
+
+StageResult SubmissionGrader::ask_stage(const StageQuestions& questions, const StageFile& file,
+                                        const std::filesystem::path& pictures) {
+  const Stage& stage = questions.stage();
+  const Compiled compiled =
+      course_.toolchain->compile(box_, stage, file.content, scratch_, Build::release, on_wait_);
+  if (compiled.outcome == Compiled::Outcome::infrastructure)
+    throw InfrastructureError(compiled.output);
+  if (compiled.outcome != Compiled::Outcome::compiled) {
+    StageResult result = without_program(stage, Status::failed, Cause::not_compiled);
+    result.compiler = at_most(compiled.output);
+    return result;
+  }
+  StageProgram program(course_.toolchain->command(box_, compiled),
+                       {std::chrono::minutes(10), 0, true, true});
+  const std::vector<Asked> answers = ask_in_turn(program, questions.scenes(), on_wait_);
+  StageResult result = score(questions, answers, course_.shares);
+  result.compiler = at_most(compiled.output);
+  if (result.status == Status::failed) {
+    advise_on(result, program, questions, answers);
+    if (result.cause == Cause::crashed)
+      result.sanitizer = where_it_crashed(questions, file, answers);
+    make_pictures(result, questions, answers, pictures);
+  }
+  program.end();
+  result.cpu_seconds = program.cpu_seconds();
+  return result;
+}
+
+void SubmissionGrader::advise_on(StageResult& result, StageProgram& program,
+                                 const StageQuestions& questions,
+                                 const std::vector<Asked>& answers) {
+  const Advice advice = advise(questions.stage(), [&](const std::vector<SceneText>& scenes) {
+    return frames_of(ask_in_turn(program, scenes, on_wait_));
+  });
+  result.mistake = advice.mistake;
+  result.advice = advice.words;
+  const std::vector<MistakeMade>& certain = advice.diagnosis.certain;
+  if (certain.empty() || !advice.diagnosis.one_of.empty()) return;
+  const bool all_charged =
+      std::all_of(certain.begin(), certain.end(),
+                  [&](const MistakeMade& made) { return charged_.contains(made.mistake); });
+  if (all_charged) count_carried(result, questions, answers, advice.diagnosis, course_.shares);
+  for (const MistakeMade& made : certain) charged_.insert(made.mistake);
+}
+
+std::string SubmissionGrader::where_it_crashed(const StageQuestions& questions,
+                                               const StageFile& file,
+                                               const std::vector<Asked>& answers) {
+  const auto crash = std::find_if(answers.begin(), answers.end(), [](const Asked& asked) {
+    return asked.asked && asked.answer.ending == Ending::crashed;
+  });
+  const Compiled compiled = course_.toolchain->compile(box_, questions.stage(), file.content,
+                                                       scratch_, Build::sanitized, on_wait_);
+  if (crash == answers.end() || compiled.outcome != Compiled::Outcome::compiled) return "";
+  StageProgram program(course_.toolchain->command(box_, compiled),
+                       {std::chrono::minutes(10), 0, true, true});
+  const std::vector<SceneText> scene{
+      questions.scenes()[static_cast<std::size_t>(crash - answers.begin())]};
+  return at_most(ask_in_turn(program, scene, on_wait_).front().printed);
+}
+
+void SubmissionGrader::make_pictures(StageResult& result, const StageQuestions& questions,
+                                     const std::vector<Asked>& answers,
+                                     const std::filesystem::path& folder) {
+  const Questions& checks = questions.checks();
+  const auto count = static_cast<std::ptrdiff_t>(checks.scenes().size());
+  const Findings findings = examine(checks, {answers.begin(), answers.begin() + count});
+  if (!findings.shown || findings.shown->verdict.passes()) return;
+  const std::vector<Panel> panels = panels_of(findings, difference_of(findings));
+  constexpr std::array kinds{"yours", "expected", "difference"};
+  std::filesystem::create_directories(folder);
+  for (std::size_t i = 0; i < panels.size() && i < kinds.size(); ++i) {
+    const std::string name = result.stage + "-" + kinds[i] + ".png";
+    if (maker_.make({folder / name, {panels[i]}, check_panel_size}))
+      result.pictures.push_back(name);
+  }
+}
+
+}  // namespace fos::grading
