@@ -17,6 +17,22 @@ touch "$STATE/ctest-fails"
 lab test
 check "a test fails" status 1
 rm "$STATE/ctest-fails"
+echo "of an older run" | tee "$TREE/build/release/"{mistakes,submissions}-share.txt >/dev/null
+lab test
+check "the shares: none of an older run" not out "of an older run"
+check "the shares: none are needed" status 0
+pretend ctest <<'EOT'
+echo "all of them named" >"$2/mistakes-share.txt"
+echo "none wrongly" >"$2/submissions-share.txt"
+[[ ! -e $STATE/ctest-fails ]]
+EOT
+lab test
+check "the shares: the last lines" test "${OUT: -30}" == $'all of them named\nnone wrongly'
+touch "$STATE/ctest-fails"
+lab test
+check "the shares: not when a test fails" status 1
+check "the shares: not when a test fails" not out named
+rm "$STATE/ctest-fails"
 echo all >"$STATE/broken"
 : >"$STATE/calls"
 lab test

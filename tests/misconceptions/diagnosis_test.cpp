@@ -100,6 +100,18 @@ TEST_CASE("of two mistakes made together none is named that does not show") {
   }
 }
 
+TEST_CASE("where no sphere is seen, no other mistake is named") {
+  const Stage& stage = stages[0];
+  REQUIRE(stage.id == "flat_color");
+  for (const Misconception& each : misconceptions()) {
+    if ((each.stages & in_flat_color) == 0 || each.mistake == Mistake::no_sphere) continue;
+    const MistakeSet made{Mistake::no_sphere, each.mistake};
+    const std::string found = ids(diagnose(stage, mistaken_frames<double>(stage, made)));
+    INFO(each.id);
+    CHECK(found == (each.slot == Slot::background ? "nothing" : "no_sphere "));
+  }
+}
+
 TEST_CASE("right frames, and frames that are not there, have no name") {
   for (const Stage& stage : stages) {
     INFO(stage.id);

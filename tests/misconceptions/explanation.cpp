@@ -67,15 +67,17 @@ Explainer::Explainer(const StageMistakes& mistakes) : mistakes_(mistakes) {
 bool Explainer::fits(std::size_t pixel, std::size_t sphere, double low, double high,
                      const MistakeSet& finish, const std::array<double, 3>& channels) const {
   const std::array<double, 3>& own = color(pixel, sphere);
-  Vec least(own[0], own[1], own[2]);
-  Vec most = least;
+  const Vec color_of_own(own[0], own[1], own[2]);
+  const auto ending = ending_of(finish);
+  Vec least;
+  Vec most;
   if (sphere == 0) {
-    least = most = background(finish, least);
+    const std::array<double, 3>& first = color(pixel, 1);
+    least = most =
+        background(finish, color_of_own, ended(ending, Vec(first[0], first[1], first[2]), 1.0));
   } else {
-    const auto ending = ending_of(finish);
-    const Vec color = least;
-    least = ended(ending, color, total(finish, low));
-    most = ended(ending, color, total(finish, high));
+    least = ended(ending, color_of_own, total(finish, low));
+    most = ended(ending, color_of_own, total(finish, high));
   }
   for (int i = 0; i < 3; ++i) {
     const double channel = channels[static_cast<std::size_t>(i)];

@@ -14,11 +14,14 @@
 
 namespace fos {
 
-/// What a ray returns that meets nothing.
+/// What a ray returns that meets nothing. `first_sphere` is what it would return at a hit of the
+/// scene's first sphere, in full light.
 template <typename T>
-glm::vec<3, T> background(const MistakeSet& mistakes, const glm::vec<3, T>& color) {
+glm::vec<3, T> background(const MistakeSet& mistakes, const glm::vec<3, T>& color,
+                          const glm::vec<3, T>& first_sphere) {
   if (mistakes.has(Mistake::black_background)) return glm::vec<3, T>(0);
   if (mistakes.has(Mistake::white_background)) return glm::vec<3, T>(255);
+  if (mistakes.has(Mistake::first_sphere_is_background)) return first_sphere;
   return color;
 }
 

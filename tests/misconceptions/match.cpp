@@ -49,9 +49,13 @@ Match match(const Stage& stage, std::span<const Frame> frames) {
     return static_cast<std::size_t>(plane.first.has_value()) +
            static_cast<std::size_t>(plane.second.has_value());
   };
+  const auto named_alone = [](const Plane& plane) {
+    return (plane.first && is_named_alone(*plane.first)) ||
+           (plane.second && is_named_alone(*plane.second));
+  };
   for (std::size_t count = 0; count <= 2 && !match.known(); ++count) {
     for (const Plane& plane : data.planes) {
-      if (made(plane) > count) continue;
+      if (made(plane) > count || (named_alone(plane) && count > 1)) continue;
       for (const MistakeSet& finish : finishes(stage, count - made(plane))) {
         if (made(plane) + finish.list().size() != count) continue;
         if (!explainer.explains(plane, finish, *evidence)) continue;

@@ -1,6 +1,6 @@
 // What each mistake, and each pair of mistakes, gives on the diagnostic scenes: one file a stage.
 //
-// A file begins with the line `fos mistakes 1 SCENES CATALOGUE BYTES`: the checksums of the scenes
+// A file begins with the line `fos mistakes 2 SCENES CATALOGUE BYTES`: the checksums of the scenes
 // and of the catalogue that it was made with, and the size of what follows once it is inflated
 // (zlib). That is, numbers in two bytes each, the low one first:
 //   the sphere that each pixel sees, scene after scene, row by row: its number in the file, 0 for
@@ -8,12 +8,13 @@
 //   how many planes there are, and for each
 //     its two mistakes, 0xffff where there are none
 //     how many of its pixels are not compared, and which
+//     its guide (plane_guide.hpp): a plane, 0xffff for none; and a byte, 1 if it is corrected
 //     its symbols: of every pixel the sphere that is seen, in a stage without light; else of every
 //     pixel that sees a sphere the code of its I (light_code.hpp)
 //   then, for every light that the stage counts, the plane of its term alone, in which 0 is a pixel
 //   that it does not reach; and for each of them the plane of |L| / 4
-// A symbol is stored as its difference from what its neighbours suggest, in one byte, or after the
-// byte 0xff in two.
+// Of a symbol its difference from the guide is taken, and of that what it differs from what its
+// neighbours suggest: in one byte, or after the byte 0xff in two.
 #pragma once
 
 #include <cstddef>

@@ -31,6 +31,10 @@ class MistakenHit {
     int number = 0;
     for (const auto& sphere : scene_.spheres) {
       ++number;
+      if (is(Mistake::first_sphere_skipped) && number == 1) continue;
+      if (is(Mistake::last_sphere_skipped) && number == static_cast<int>(scene_.spheres.size())) {
+        continue;
+      }
       const auto [t1, t2] = intersect(O, D, sphere);
       for (const T t : {t1, t2}) {
         const bool counts = is(Mistake::t_min_excluded) ? t_min < t : t_min <= t;
@@ -64,15 +68,15 @@ class MistakenHit {
     const T b = (is(Mistake::b_without_2) ? T(1) : T(2)) * dot(CO, D);
     T c = dot(CO, CO) - r * r;
     if (is(Mistake::r_not_squared)) c = dot(CO, CO) - r;
-    if (is(Mistake::r_forgotten)) c = dot(CO, CO);
-    if (is(Mistake::r_added)) c = dot(CO, CO) + r * r;
 
     T four_ac = 4 * a * c;
     if (is(Mistake::without_4)) four_ac = a * c;
     if (is(Mistake::without_a)) four_ac = 4 * c;
     const T discriminant = is(Mistake::ac_added) ? b * b + four_ac : b * b - four_ac;
-    if (discriminant < 0) return {infinity, infinity};
+    const bool misses = is(Mistake::discriminant_reversed) ? discriminant > 0 : discriminant < 0;
+    if (misses) return {infinity, infinity};
     if (is(Mistake::tangent_misses) && discriminant <= 0) return {infinity, infinity};
+    if (is(Mistake::no_sphere)) return {infinity, infinity};
     const T root = is(Mistake::root_forgotten) ? discriminant : std::sqrt(discriminant);
     if (is(Mistake::b_not_divided)) return {-b - root / (2 * a), -b + root / (2 * a)};
     T divisor = 2 * a;

@@ -33,36 +33,41 @@ class MistakenLight {
                       : T(0);
     const bool begins_with_I_A =
         !is(Mistake::ambient_per_light) && !is(Mistake::ambient_per_lit_light) &&
-        !is(Mistake::ambient_multiplied) && !is(Mistake::ambient_is_floor) && !added_last();
+        !is(Mistake::ambient_where_lit) && !is(Mistake::ambient_multiplied) &&
+        !is(Mistake::ambient_is_floor) && !added_last();
     Sum sum;
     if (begins_with_I_A) add(sum.i, I_A);
     if (is(Mistake::ambient_twice)) add(sum.i, I_A);
 
     if ((kinds & point_term) != 0) {
-      int number = 0;
+      int number = -1;
       for (const auto& light : scene_.point_lights) {
-        add_light(sum, number++, light.intensity, P, N, light_vector(light, P, C, O, D), true);
+        if (is_skipped(++number, scene_.point_lights.size())) continue;
+        add_light(sum, number, light.intensity, P, N, light_vector(light, P, C, O, D), true);
       }
     }
     if (is(Mistake::stops_at_dark)) sum.stopped = sum.returned;  // it left one loop only
     if ((kinds & directional_term) != 0) {
       const std::size_t times = is(Mistake::loops_nested) ? scene_.point_lights.size() : 1;
       for (std::size_t time = 0; time < times; ++time) {
-        int number = 0;
+        int number = -1;
         for (const auto& light : scene_.directional_lights) {
+          if (is_skipped(++number, scene_.directional_lights.size())) continue;
           Vec L = light.direction;
           if (is(Mistake::direction_negated)) L = -L;
           if (is(Mistake::direction_is_position)) L = L - P;
-          add_light(sum, number++, light.intensity, P, N, instead_of(L, P, O, D), false);
+          add_light(sum, number, light.intensity, P, N, instead_of(L, P, O, D), false);
         }
       }
     }
     if (sum.returned) return sum.i;
 
+    if (is(Mistake::sum_cut_off_at_0)) sum.i = std::max(sum.i, T(0));
     if (is(Mistake::lights_averaged) && sum.lights > 0) sum.i /= T(sum.lights);
-    if (added_last()) add(sum.i, I_A);
+    if (added_last() || (is(Mistake::ambient_where_lit) && sum.lit)) add(sum.i, I_A);
     if (is(Mistake::ambient_multiplied)) sum.i *= I_A;
     if (is(Mistake::ambient_is_floor)) sum.i = std::max(sum.i, I_A);
+    if (is(Mistake::everything_averaged) && sum.lights > 0) sum.i /= T(sum.lights);
     return sum.i;
   }
 
@@ -73,6 +78,7 @@ class MistakenLight {
   struct Sum {
     T i = 0;
     int lights = 0;
+    bool lit = false;       ///< some light shines
     bool stopped = false;   ///< no light after this one counts
     bool returned = false;  ///< not even what comes after the loops
   };
@@ -80,7 +86,13 @@ class MistakenLight {
   /// The ambient light comes after the others.
   bool added_last() const {
     return is(Mistake::last_lit_light) || is(Mistake::last_light_only) ||
-           is(Mistake::lights_averaged);
+           is(Mistake::lights_averaged) || is(Mistake::sum_cut_off_at_0);
+  }
+
+  /// Whether a loop over `lights` lights does not come to this one; `number` counts from 0.
+  bool is_skipped(int number, std::size_t lights) const {
+    return (is(Mistake::first_light_skipped) && number == 0) ||
+           (is(Mistake::last_light_skipped) && number + 1 == static_cast<int>(lights));
   }
 
   template <typename Light>
@@ -103,15 +115,17 @@ class MistakenLight {
   void add_light(Sum& sum, int number, T intensity, const Vec& P, const Vec& N, const Vec& L,
                  bool is_point) const {
     if (sum.stopped) return;
-    if (is(Mistake::first_light_only) && number > 0) return;
+    const int first = is(Mistake::first_light_skipped) ? 1 : 0;
+    if (is(Mistake::first_light_only) && number > first) return;
     ++sum.lights;
     const T I_A = is(Mistake::ambient_forgotten) ? T(0) : T(scene_.ambient_intensity);
     if (is(Mistake::ambient_per_light) || is(Mistake::ambient_again_per_light)) add(sum.i, I_A);
     T n_dot_l = dot(N, L);
     if (is(Mistake::absolute_cosine)) n_dot_l = std::abs(n_dot_l);
-    bool lit = n_dot_l > 0 || is(Mistake::negative_kept);
+    bool lit = n_dot_l > 0 || is(Mistake::negative_kept) || is(Mistake::sum_cut_off_at_0);
     if (is(Mistake::sign_reversed)) lit = n_dot_l < 0;
     if (lit) {
+      sum.lit = true;
       if (is(Mistake::ambient_per_lit_light) || is(Mistake::ambient_again_per_lit_light)) {
         add(sum.i, I_A);
       }
@@ -121,7 +135,7 @@ class MistakenLight {
       if (is(Mistake::assigned_always) || is(Mistake::last_light_only)) sum.i = 0;
       if (is(Mistake::stops_at_dark)) sum.stopped = true;
       if (is(Mistake::returns_at_dark)) sum.stopped = sum.returned = true;
-      if (is(Mistake::returns_zero)) sum = {0, sum.lights, true, true};
+      if (is(Mistake::returns_zero)) sum = {0, sum.lights, false, true, true};
     }
     if (is(Mistake::returns_in_loop)) sum.stopped = sum.returned = true;
   }
@@ -160,6 +174,8 @@ class MistakenLight {
     T share = cosine;
     if (is(Mistake::angle_for_cosine)) share = std::acos(cosine);
     if (is(Mistake::cosine_squared)) share = cosine * cosine;
+    if (is(Mistake::root_of_cosine)) share = std::sqrt(cosine);
+    if (is(Mistake::sine_for_cosine)) share = std::sqrt(1 - cosine * cosine);
     if (is(Mistake::cosine_of_cosine)) share = std::cos(cosine);
     if (is(Mistake::all_or_nothing)) share = 1;
     if (is(Mistake::intensity_forgotten)) return share;

@@ -48,7 +48,10 @@ class MistakenTracer {
     if (is(Mistake::t_min_behind)) t_min = -std::numeric_limits<T>::infinity();
     const auto hit = hits_.closest_hit(O, D, t_min, t_max);
     if (hit.sphere == 0) {
-      return {0, 1, background<T>(mistakes_, scene_.background_color)};
+      const Vec& color = scene_.background_color;
+      const Vec first =
+          scene_.spheres.empty() ? color : ended<T>(ending_, scene_.spheres[0].color, 1);
+      return {0, 1, background<T>(mistakes_, color, first)};
     }
     const auto& sphere = scene_.spheres[static_cast<std::size_t>(hit.sphere) - 1];
     if (terms_ == 0) return {hit.sphere, 1, ended<T>(ending_, sphere.color, 1), hit.t};

@@ -26,6 +26,7 @@ enum class Mistake : std::uint8_t {
 /// Which line a mistake changes. Two mistakes of one slot exclude each other.
 enum class Slot : std::uint8_t {
   ray,
+  spheres,
   CO,
   a,
   b,
@@ -47,6 +48,7 @@ enum class Slot : std::uint8_t {
   L_length,
   cosine,
   intensity,
+  lights,
   sum,
   kinds,
   ambient,
@@ -102,6 +104,10 @@ class MistakeSet {
 
 /// The mistake of a set in the ending of trace_ray, or nothing.
 std::optional<Mistake> ending_of(const MistakeSet& mistakes);
+
+/// Whether a mistake is never named together with another: the same picture comes of too many other
+/// causes for that.
+constexpr bool is_named_alone(Mistake mistake) { return mistake == Mistake::no_sphere; }
 
 /// Whether what a mistake makes of a pixel follows from the sphere that is seen and I alone, so
 /// that the data need not hold it.

@@ -16,18 +16,18 @@ SymbolLayout::SymbolLayout(const std::vector<SceneText>& scenes,
   }
 }
 
-std::uint16_t SymbolLayout::predict(const Symbols& symbols, std::size_t i) const {
+int SymbolLayout::predict(const std::vector<int>& numbers, std::size_t i) const {
   const Place& place = pixels_[i];
   const bool has_left = place.has_left && has_symbol(i - 1);
   const bool has_above = place.has_above && has_symbol(i - place.width);
   if (!has_left && !has_above) return 0;
-  if (!has_above) return symbols[i - 1];
-  const int above = symbols[i - place.width];
-  if (!has_left) return static_cast<std::uint16_t>(above);
-  const int left = symbols[i - 1];
-  const int corner = has_symbol(i - place.width - 1) ? symbols[i - place.width - 1] : above;
+  if (!has_above) return numbers[i - 1];
+  const int above = numbers[i - place.width];
+  if (!has_left) return above;
+  const int left = numbers[i - 1];
+  const int corner = has_symbol(i - place.width - 1) ? numbers[i - place.width - 1] : above;
   const auto [least, most] = std::minmax(left, above);
-  return static_cast<std::uint16_t>(std::clamp(left + above - corner, least, most));
+  return std::clamp(left + above - corner, least, most);
 }
 
 }  // namespace fos

@@ -19,11 +19,11 @@ class SymbolLayout {
   std::size_t size() const { return pixels_.size(); }
   bool has_symbol(std::size_t i) const { return spheres_ == nullptr || (*spheres_)[i] != 0; }
 
-  /// From the symbols to the left, above, and left above, those that there are: the plane through
-  /// them, or the nearer end of the range of the first two where it leaves that (the predictor of
-  /// LOCO-I: Weinberger, Seroussi, Sapiro, "The LOCO-I lossless image compression algorithm",
-  /// 2000).
-  std::uint16_t predict(const Symbols& symbols, std::size_t i) const;
+  /// The number of pixel i of a plane, from those to the left, above, and left above, those that
+  /// there are: the plane through them, or the nearer end of the range of the first two where it
+  /// leaves that (the predictor of LOCO-I: Weinberger, Seroussi, Sapiro, "The LOCO-I lossless image
+  /// compression algorithm", 2000).
+  int predict(const std::vector<int>& numbers, std::size_t i) const;
 
  private:
   struct Place {

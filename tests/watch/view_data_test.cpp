@@ -46,11 +46,13 @@ bool has(const std::string& script, const std::string& part) {
 TEST_CASE("the page is told of a check") {
   Sample sample({{3, 2}});
   sample.view.parts = {0, 4};
+  sample.view.advice = "L is \"reversed\"\n  </script>";
   const std::string script = view_script(sample.view);
   CHECK(script.starts_with("fosView({"));
   CHECK(script.ends_with("});\n"));
   for (const char* part : {R"("id": "17")", R"("stage": "point")", R"("outcome": "fails")",
-                           R"("words": "every </script> pixel")", R"(why \"so\")", R"("column": 3)",
+                           R"("words": "every </script> pixel")", R"(why \"so\")",
+                           R"("advice": "L is \"reversed\"\u000a  </script>")", R"("column": 3)",
                            R"("row": 2)", R"("data:image/png;base64,UE5H")", R"("parts": [0, 4])",
                            R"("./lab explain point {0} {1} --scene build/images/point-view.scene")",
                            R"(column {0}, row {1})"}) {
@@ -62,6 +64,7 @@ TEST_CASE("the page is told of a check") {
 TEST_CASE("a check that passes, and a stage that does not compile") {
   const Sample right({});
   CHECK(has(view_script(right.view), R"("outcome": "passes")"));
+  CHECK(has(view_script(right.view), R"("advice": "")"));
   CHECK(values_scripts(*right.findings.shown, "17").empty());
   View view;
   view.stage = right.view.stage;

@@ -109,6 +109,10 @@ def test(browser):
     assert "of 30 points" in browser.text("verdict")
     assert "✗L parallel to N" in browser.text("list"), browser.text("list")
     assert "expected" in browser.text("first")
+    assert "L goes from the light to P" in browser.text("advice"), browser.text("advice")
+    advice, panels = (browser.run(f"return document.getElementById('{name}').getBoundingClientRect()")
+                      for name in ("advice", "panels"))
+    assert 0 < advice["height"] and advice["y"] + advice["height"] <= panels["y"], (advice, panels)
     assert pixel(browser, "expected", 300, 20) == [255, 255, 255]
     assert pixel(browser, "yours", 300, 20) == [255, 255, 255]
     assert pixel(browser, "expected", 300, 349) == EXPECTED, pixel(browser, "expected", 300, 349)
@@ -148,6 +152,7 @@ def test(browser):
     until(lambda: browser.text("verdict") == "Does not compile", "does not compile")
     assert "<b id=evil>&amp;</b><img src=x" in browser.text("first"), browser.text("first")
     assert not browser.run("return document.querySelector('#evil, img')")
+    assert not browser.text("advice"), browser.text("advice")
     assert browser.text("older"), "the pictures are older ones"
     assert pixel(browser, "expected", 300, 349) == EXPECTED
 
@@ -156,6 +161,7 @@ def test(browser):
         save(solution.read())
     until(lambda: browser.text("verdict").startswith("All right"), "the right verdict")
     assert "30 of 30 points" in browser.text("verdict")
+    assert not browser.text("advice"), browser.text("advice")
     assert chosen(browser) == here, (chosen(browser), here)
     assert browser.text("judged") == "right"
     assert pixel(browser, "yours", 300, 349) == EXPECTED

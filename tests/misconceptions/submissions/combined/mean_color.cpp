@@ -1,0 +1,34 @@
+// named: everything_averaged
+#include "fos/closest_hit.hpp"
+#include "fos/stage.hpp"
+
+namespace fos {
+
+Real compute_lighting(const Vec3& P, const Vec3& N, const Scene& scene) {
+  Real i = scene.ambient_intensity;
+  for (const PointLight& light : scene.point_lights) {
+    Vec3 L = light.position - P;
+    Real n_dot_l = dot(N, L);
+    if (n_dot_l > 0) i += light.intensity * n_dot_l / (length(N) * length(L));
+  }
+  for (const DirectionalLight& light : scene.directional_lights) {
+    Vec3 L = light.direction;
+    Real n_dot_l = dot(N, L);
+    if (n_dot_l > 0) i += light.intensity * n_dot_l / (length(N) * length(L));
+  }
+  return i;
+}
+
+Color trace_ray(const Vec3& O, const Vec3& D, Real t_min, Real t_max, const Scene& scene) {
+  const auto hit = closest_hit(O, D, t_min, t_max, scene);
+  if (!hit) return scene.background_color;
+  Vec3 P = O + hit->t * D;
+  Vec3 N = normalize(P - hit->sphere->center);
+  Color color = hit->sphere->color * compute_lighting(P, N, scene);
+  // να μη βγει πάνω από 255
+  const int lights = scene.point_lights.size() + scene.directional_lights.size();
+  if (lights > 0) color = color / lights;
+  return color;
+}
+
+}  // namespace fos

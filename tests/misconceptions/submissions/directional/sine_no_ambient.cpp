@@ -1,0 +1,30 @@
+// named: sine_for_cosine + ambient_forgotten
+#include <cmath>
+
+#include "fos/closest_hit.hpp"
+#include "fos/stage.hpp"
+
+namespace fos {
+
+Real compute_lighting(const Vec3& P, const Vec3& N, const Scene& scene) {
+  Real i = 0;
+  for (const DirectionalLight& light : scene.directional_lights) {
+    Vec3 L = light.direction;
+    const Real c = dot(N, L) / (length(N) * length(L));
+    if (c > 0) i += light.intensity * std::sin(std::acos(c));
+  }
+  return i;
+}
+
+Color trace_ray(const Vec3& O, const Vec3& D, Real t_min, Real t_max, const Scene& scene) {
+  auto hit = closest_hit(O, D, t_min, t_max, scene);
+  if (hit) {
+    const Sphere& sphere = *hit->sphere;
+    const Vec3 point = O + D * hit->t;
+    const Vec3 normal = normalize(point - sphere.center);
+    return compute_lighting(point, normal, scene) * sphere.color;
+  }
+  return scene.background_color;
+}
+
+}  // namespace fos

@@ -1,0 +1,30 @@
+// named: sine_for_cosine
+#include <cmath>
+
+#include "fos/closest_hit.hpp"
+#include "fos/stage.hpp"
+
+namespace fos {
+
+Real compute_lighting(const Vec3& P, const Vec3& N, const Scene& scene) {
+  Real i = scene.ambient_intensity;
+  for (const PointLight& light : scene.point_lights) {
+    Vec3 L = light.position - P;
+    Real angle = acos(dot(N, L) / (length(N) * length(L)));
+    if (dot(N, L) > 0) i += light.intensity * sin(angle);
+  }
+  return i;
+}
+
+Color trace_ray(const Vec3& O, const Vec3& D, Real t_min, Real t_max, const Scene& scene) {
+  const auto hit = closest_hit(O, D, t_min, t_max, scene);
+  if (!hit) {
+    return scene.background_color;
+  }
+  Vec3 P = O + hit->t * D;
+  Vec3 N = P - hit->sphere->center;
+  N = N / length(N);
+  return hit->sphere->color * compute_lighting(P, N, scene);
+}
+
+}  // namespace fos
