@@ -29,7 +29,8 @@ void Supervision::hear(int other, std::chrono::milliseconds patience) {
   if (ready <= 0 || descriptors[0].revents == 0) return;
   supervision::Message message;
   const ssize_t size = recv(socket_, &message, sizeof(message), MSG_DONTWAIT);
-  if (size < 0 && (errno == EINTR || errno == EAGAIN)) return;
+  // ECONNRESET: it left before it had heard all of ours; its own last word is still to be heard.
+  if (size < 0 && (errno == EINTR || errno == EAGAIN || errno == ECONNRESET)) return;
   if (size != static_cast<ssize_t>(sizeof(message))) {
     gone_ = true;
     return;

@@ -111,7 +111,7 @@ std::vector<std::string> Box::bubblewrap(const Errand& errand) const {
   // Limits on processes are counted by user, and not at all for root.
   if (user_ != 0) append(words, {setting_.inside.string(), "become", std::to_string(user_), "--"});
   append(words,
-         {"/usr/bin/bwrap", "--unshare-user", "--unshare-ipc", "--unshare-pid", "--unshare-net",
+         {bubblewrap_program, "--unshare-user", "--unshare-ipc", "--unshare-pid", "--unshare-net",
           "--unshare-uts", "--unshare-cgroup-try", "--disable-userns", "--uid", "65534", "--gid",
           "65534", "--hostname", "box", "--die-with-parent", "--new-session", "--as-pid-1",
           "--cap-drop", "ALL", "--clearenv"});

@@ -17,6 +17,8 @@ struct BoxSetting {
   int landlock_abi = 0;          ///< for tests: at most this version of Landlock
 };
 
+inline constexpr const char* bubblewrap_program = "/usr/bin/bwrap";
+
 /// One place to run things, one at a time. Two boxes with different slots share nothing.
 class Box {
  public:

@@ -181,7 +181,10 @@ RunResult run(const Box& box, const Errand& errand, const RunLimits& limits,
 
   const auto& end = supervision.ended();
   if (!supervision.started() || !end) {
-    result.status = supervision.failed() ? supervision.failed()->status : 0;
+    if (supervision.failed()) {
+      result.status = supervision.failed()->status;
+      result.step = supervision.failed()->step;
+    }
     return result;
   }
   result.cpu_seconds = 1e-6 * static_cast<double>(end->cpu_microseconds);

@@ -24,6 +24,7 @@ enum class RunEnding {
 struct RunResult {
   RunEnding ending = RunEnding::infrastructure;
   int status = 0;
+  unsigned step = 0;  ///< infrastructure: where it failed, an inside::Step; 0 if it is not known
   std::string output;  ///< standard output and error together, up to the cap; for infrastructure,
                        ///< what the box said
   double cpu_seconds = 0;  ///< of all its processes

@@ -30,6 +30,13 @@ constexpr int denied[] = {
     SYS_sched_setattr, SYS_sched_setaffinity, SYS_ioprio_set, SYS_migrate_pages, SYS_move_pages,
     // out of the session, by which the supervisor knows them
     SYS_setsid, SYS_setpgid,
+    // whose a file is and who may use it, which Landlock leaves open
+    SYS_fchmod, SYS_fchmodat, SYS_fchown, SYS_fchownat, SYS_utimensat, SYS_setxattr,
+    SYS_lsetxattr, SYS_fsetxattr, SYS_removexattr, SYS_lremovexattr, SYS_fremovexattr,
+    SYS_truncate,
+#ifdef SYS_chmod
+    SYS_chmod, SYS_chown, SYS_lchown, SYS_utime, SYS_utimes, SYS_futimesat,
+#endif
     // the network, and talk with other processes
     SYS_socket, SYS_socketpair, SYS_mq_open, SYS_mq_unlink,
     // memory that belongs to no process
@@ -179,6 +186,8 @@ bool filter_calls(const Settings& settings) {
     filter.answer(SECCOMP_RET_KILL_PROCESS);
   }
   for (const int call : denied) filter.always(call, refuse);
+  constexpr int change_mode = 452;  // fchmodat2, younger than the distribution's headers
+  filter.always(change_mode, not_there);
   filter.always(SYS_clone3, not_there);  // its flags are out of sight; glibc then takes clone
   filter.never_with_any(SYS_clone, 0,
                         CLONE_NEWUSER | CLONE_NEWNS | CLONE_NEWPID | CLONE_NEWNET | CLONE_NEWIPC |

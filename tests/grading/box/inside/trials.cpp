@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <string_view>
@@ -36,7 +37,10 @@ bool can_write(const std::string& path) {
 int run_trial(int count, char** words) {
   int i = 2;
   for (; i < count && std::string_view(words[i]) != "--"; ++i) {
-    if (can_read(words[i])) return read_a_secret;
+    if (can_read(words[i])) {
+      puts(words[i]);
+      return read_a_secret;
+    }
     if (can_write(words[i])) return wrote_outside;
   }
   for (const char* path : {"/usr/bin", "/usr/lib", "/etc", "/"}) {

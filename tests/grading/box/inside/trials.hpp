@@ -3,12 +3,11 @@
 
 namespace fos::grading::inside {
 
-/// try-all SECRET… -- PID…: 0 if no secret can be read, no process in PID… reached, nothing written
-/// where it starts' parent is, and no socket opened; else the number of the first that could. An
-/// empty SECRET list is fine.
+/// try-all SECRET… -- PID…: whether a secret can be read (it is printed which) or written to, a
+/// process reached, a file made in the system's folders, or a socket opened.
 int run_trial(int count, char** words);
 
-/// Its answers.
+/// The answers: the first that can, or `fenced`.
 enum Trial { fenced = 0, read_a_secret = 10, wrote_outside, reached_a_process, opened_a_socket };
 
 }  // namespace fos::grading::inside
