@@ -111,6 +111,13 @@ std::string safe_id(std::string_view name) {
   return out.empty() ? "submission" : out;
 }
 
+bool is_safe_id(std::string_view id) {
+  static constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789";
+  static constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyz0123456789._-";
+  return !id.empty() && id.size() <= 128 && letters.find(id.front()) != std::string_view::npos &&
+         id.find_first_not_of(allowed) == std::string_view::npos;
+}
+
 std::vector<std::string> unique_ids(const std::vector<std::string>& names,
                                     const std::vector<std::string>& sources) {
   std::vector<std::string> ids;

@@ -40,6 +40,9 @@ std::string latin(std::string_view text);
 /// `name` as an id, [a-z0-9._-], at most 64 bytes, never empty, beginning with a letter or digit.
 std::string safe_id(std::string_view name);
 
+/// Whether it is such an id, so that it may name a folder.
+bool is_safe_id(std::string_view id);
+
 /// For each name an id, all different. Equal ones get a few digits of the hash of the name, so that
 /// none depends on the others' order.
 std::vector<std::string> unique_ids(const std::vector<std::string>& names,

@@ -217,7 +217,7 @@ TEST_CASE("every truncation of a zip, and damaged bytes, end in words") {
   int opened = 0;
   for (int round = 0; round < 20'000; ++round) {
     std::string bad = good;
-    for (unsigned flips = 1 + random() % 4; flips > 0; --flips) {
+    for (auto flips = 1 + random() % 4; flips > 0; --flips) {
       bad[random() % bad.size()] = static_cast<char>(random() % 256);
     }
     opened += read_all(bad) ? 1 : 0;
