@@ -43,6 +43,22 @@ std::string without_formulas(std::string_view text) {
   return out;
 }
 
+/// Every mark of ASCII that may be markup as its number, which Markdown never reads as markup.
+std::string without_markup(std::string_view text, std::string_view line_end) {
+  std::string out;
+  for (const char c : clean(text)) {
+    if (c == '\n') {
+      out += line_end;
+    } else if (is_letter_or_digit(c) || !is_ascii(c) ||
+               std::string_view(" ,()").find(c) != std::string_view::npos) {
+      out += c;
+    } else {
+      out += fmt::format("&#{};", static_cast<int>(c));
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string markup(std::string_view text) {
@@ -113,33 +129,8 @@ std::string workflow_text(std::string_view text) {
   return out;
 }
 
-std::string markdown(std::string_view text) {
-  std::string out;
-  for (const char c : clean(text)) {
-    if (c == '\n') {
-      out += "<br>";
-    } else if (c == '\t') {
-      out += ' ';
-    } else if (is_letter_or_digit(c) || !is_ascii(c) ||
-               std::string_view(" ,()").find(c) != std::string_view::npos) {
-      out += c;
-    } else {
-      out += fmt::format("&#{};", static_cast<int>(c));
-    }
-  }
-  return out;
-}
+std::string markdown(std::string_view text) { return without_markup(text, "<br>"); }
 
-std::string markdown_block(std::string_view text) {
-  std::string out;
-  for (const char c : markup(text)) {
-    if (c == ':') {
-      out += "&#58;";
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
+std::string markdown_block(std::string_view text) { return without_markup(text, "\n"); }
 
 }  // namespace fos::grading

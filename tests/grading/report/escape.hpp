@@ -28,7 +28,7 @@ std::string workflow_text(std::string_view text);
 /// mention. Line ends become <br>.
 std::string markdown(std::string_view text);
 
-/// Between <pre> and </pre> in GitHub's Markdown.
+/// The same between <pre> and </pre>, where line ends are kept.
 std::string markdown_block(std::string_view text);
 
 }  // namespace fos::grading

@@ -41,8 +41,14 @@ std::vector<Case> cases_of(const StageResult& stage, const Shown& what) {
   for (const CheckResult& check : stage.checks) {
     const bool no_frame = check.cause == Cause::crashed || check.cause == Cause::out_of_time ||
                           check.cause == Cause::out_of_memory || check.cause == Cause::left;
-    out.push_back({check_words(check), check.status, no_frame, std::string(name(check.cause)),
-                   check_why(check, what)});
+    // The name is the same in every run, so that readers can follow a case through them.
+    std::string why = check_why(stage, check, what);
+    if (why.empty()) {
+      const std::string kind = cause_words(check.cause);
+      why = check_words(check) + ": " + (kind.empty() ? status_words(check.status) : kind);
+    }
+    out.push_back(
+        {check_title(check), check.status, no_frame, std::string(name(check.cause)), why});
   }
   // Where nothing could be checked the stage itself is the case, so that it is not missing.
   if (out.empty()) {

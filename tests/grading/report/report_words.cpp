@@ -10,7 +10,9 @@ namespace {
 /// Words of a student, each line marked as such: none can be taken for one of ours.
 std::string quoted(std::string_view title, std::string_view words) {
   std::string out = std::string(title) + ":\n  | ";
-  for (const char c : clean(words)) {
+  std::string lines = clean(words);
+  while (lines.ends_with('\n')) lines.pop_back();
+  for (const char c : lines) {
     out += c;
     if (c == '\n') out += "  | ";
   }
@@ -105,16 +107,21 @@ std::string points_of_most(int points, int most) {
   return points_text(points) + " / " + points_text(most);
 }
 
+std::string check_title(const CheckResult& check) {
+  return language() == Language::el ? check.words_el : check.words_en;
+}
+
 std::string check_words(const CheckResult& check) {
-  const std::string& words = language() == Language::el ? check.words_el : check.words_en;
-  if (check.things < 2 || check.passed == check.things) return words;
-  return words + " " +
+  if (check.things < 2 || check.passed == check.things) return check_title(check);
+  return check_title(check) + " " +
          say(text::check_of, {std::to_string(check.passed), std::to_string(check.things)});
 }
 
-std::string check_why(const CheckResult& check, const Shown& what) {
+std::string check_why(const StageResult& stage, const CheckResult& check, const Shown& what) {
   if (check.status == Status::passed) return "";
-  return what.why && !check.why.empty() ? check.why : cause_words(check.cause);
+  if (what.why && !check.why.empty()) return check.why;
+  const bool is_plain = check.cause == Cause::wrong_pixels || check.cause == stage.cause;
+  return is_plain ? "" : cause_words(check.cause);
 }
 
 std::string stage_notes(const StageResult& stage) {
@@ -140,7 +147,7 @@ std::string stage_text(const StageResult& stage, const Shown& what) {
     std::string words = std::string(mark(check.status)) + " " + check_words(check);
     if (check.most > 0) words += "  " + points_of_most(check.points, check.most);
     line(words);
-    line(check_why(check, what));
+    if (const std::string why = check_why(stage, check, what); !why.empty()) line("  " + why);
   }
   if (what.mistake) line(stage.mistake);
   if (what.question) line(stage.advice);

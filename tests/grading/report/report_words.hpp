@@ -33,10 +33,13 @@ std::string box_words(std::string_view box);
 /// "22.5 / 30".
 std::string points_of_most(int points, int most);
 
-/// What is checked, and how many of how many where that is more than one.
+/// What is checked.
+std::string check_title(const CheckResult& check);
+/// The same with how many of how many, where that is more than one and not all of them.
 std::string check_words(const CheckResult& check);
-/// Why it has not passed: the first wrong pixel where it may be told, else the kind of failure.
-std::string check_why(const CheckResult& check, const Shown& what);
+/// Why it has not passed: the first wrong pixel where it may be told, else the kind of failure, if
+/// that is not said of the whole stage already, or plain from ✗.
+std::string check_why(const StageResult& stage, const CheckResult& check, const Shown& what);
 
 /// Said where nobody could judge, or a mistake is not charged here: the stage's notes, in lines.
 std::string stage_notes(const StageResult& stage);

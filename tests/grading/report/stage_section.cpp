@@ -18,11 +18,12 @@ void add_mark(MarkupWriter& out, Status status) {
   out.attribute("aria-label", status_words(status)).raw(">").text(mark(status)).raw("</span>");
 }
 
-void add_check(MarkupWriter& out, const CheckResult& check, const Shown& what, bool with_points) {
+void add_check(MarkupWriter& out, const StageResult& stage, const CheckResult& check,
+               const Shown& what, bool with_points) {
   out.raw("<tr><td class=\"narrow\">");
   add_mark(out, check.status);
   out.raw("</td><td>").text(check_words(check));
-  if (const std::string why = check_why(check, what); !why.empty()) {
+  if (const std::string why = check_why(stage, check, what); !why.empty()) {
     out.raw("<div class=\"dim words\">").text(why).raw("</div>");
   }
   out.raw("</td>");
@@ -42,7 +43,7 @@ void add_checks(MarkupWriter& out, const StageResult& stage, const Shown& what) 
     if (std::none_of(stage.checks.begin(), stage.checks.end(), is_of_part)) continue;
     out.element("h3", part_title(part)).raw("\n<table class=\"checks\"><tbody>\n");
     for (const CheckResult& check : stage.checks) {
-      if (is_of_part(check)) add_check(out, check, what, with_points);
+      if (is_of_part(check)) add_check(out, stage, check, what, with_points);
     }
     out.raw("</tbody></table>\n");
   }

@@ -22,7 +22,7 @@ void add_stage(std::string& out, const StageResult& stage, const Shown& what) {
   for (const CheckResult& check : stage.checks) {
     out += "- " + std::string(mark(check.status)) + " " + markdown(check_words(check));
     if (check.most > 0) out += ", " + points_of_most(check.points, check.most);
-    if (const std::string why = check_why(check, what); !why.empty()) {
+    if (const std::string why = check_why(stage, check, what); !why.empty()) {
       out += "<br>" + markdown(why);
     }
     out += "\n";
