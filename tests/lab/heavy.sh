@@ -34,13 +34,17 @@ tools() {
 [[ $(cat "$STATE/fails" 2>/dev/null) != "${0##*/}" ]] || { echo "what it says"; exit 1; }
 EOT
   done
-  mkdir -p "$TREE/tests/watch"
-  cat >"$TREE/tests/watch/viewer_test.sh" <<'EOT'
+  local page
+  for page in watch/viewer_test grading/report/report_test; do
+    mkdir -p "$TREE/tests/${page%/*}"
+    cat >"$TREE/tests/$page.sh" <<'EOT'
 #!/bin/bash
-echo "viewer_test $*" >>"$STATE/calls"
-[[ ! -e $STATE/page-fails ]]
+name=${0##*/}
+echo "${name%.sh} $*" >>"$STATE/calls"
+[[ ! -e $STATE/${name%.sh}-fails ]]
 EOT
-  chmod +x "$TREE/tests/watch/viewer_test.sh"
+    chmod +x "$TREE/tests/$page.sh"
+  done
   ln -s "$(command -v xargs)" "$(command -v grep)" "$WORK/bin"
   pretend python3 <<'EOT'
 printf 'a.cpp\0a b.cpp\0'
@@ -51,39 +55,42 @@ make_tree
 tools
 lab test all
 check "all" status 0
-check "all: the last line" closing '9 passed, 0 failed'
+check "all: the last line" closing '10 passed, 0 failed'
 check "all: no step is left out" not out 'NOT RUN'
 check "all: the fuzzer runs a minute" called 'max_total_time=60'
 check "all: the sanitizers" called 'build/sanitize --preset sanitize'
 check "all: random scenes" called "ctest --test-dir $TREE/build/release --output-on-failure"
 check "all: random scenes" called '-C Heavy'
 check "all: the page in the browser" called "viewer_test $TREE $TREE/build/release"
+check "all: the reports in the browser" called "report_test $TREE $TREE/build/release"
 check "all: warnings are errors, for clang++" called '-DCMAKE_CXX_COMPILER=clang++ -DFOS_WERROR=ON'
 check "all: the linter sees each file" called 'a b.cpp'
 for tool in clang-format shellcheck clang-tidy; do
   echo "$tool" >"$STATE/fails"
   lab test all
   check "$tool fails" status 1
-  check "$tool fails: the others go on" closing '8 passed, 1 failed'
+  check "$tool fails: the others go on" closing '9 passed, 1 failed'
   check "$tool fails: its words" out 'what it says'
 done
 rm "$STATE/fails"
 echo all >"$STATE/broken"
 lab test all
-check "not everything builds: the other checks go on" closing '4 passed, 5 failed'
+check "not everything builds: the other checks go on" closing '4 passed, 6 failed'
 rm "$STATE/broken"
 touch "$STATE/ctest-fails"
 lab test all
-check "tests fail, in three builds, and random scenes" closing '5 passed, 4 failed'
+check "tests fail, in three builds, and random scenes" closing '6 passed, 4 failed'
 rm "$STATE/ctest-fails"
 echo 77 >"$STATE/picture-status" # the fuzzer pretends, like every program here
 lab test all
-check "the fuzzer finds something" closing '8 passed, 1 failed'
+check "the fuzzer finds something" closing '9 passed, 1 failed'
 rm "$STATE/picture-status"
-touch "$STATE/page-fails"
-lab test all
-check "the page is wrong" closing '8 passed, 1 failed'
-rm "$STATE/page-fails"
+for page in viewer_test report_test; do
+  touch "$STATE/$page-fails"
+  lab test all
+  check "the page of $page is wrong" closing '9 passed, 1 failed'
+  rm "$STATE/$page-fails"
+done
 mv "$WORK/bin/chromedriver" "$WORK/chromedriver"
 lab test all
 check "no browser: not run" out 'NOT RUN: chromedriver'
@@ -93,7 +100,7 @@ rm "$WORK/bin/clang-tidy"
 lab test all
 check "a tool is missing: not run" out 'NOT RUN: clang-tidy'
 check "a tool is missing: counted" out '1 not run'
-check "a tool is missing: not passed" closing '8 passed, 0 failed'
+check "a tool is missing: not passed" closing '9 passed, 0 failed'
 check "a tool is missing: nothing failed" status 0
 
 finish

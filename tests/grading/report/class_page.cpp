@@ -82,7 +82,9 @@ void add_mistakes(MarkupWriter& out, const ClassStatistics& numbers) {
   for (std::size_t i = 0; i < shown; ++i) {
     const MistakeCount& one = numbers.mistakes[i];
     out.raw("<tr><td><button type=\"button\"").attribute("data-filter", one.mistake).raw(">");
-    out.text(one.mistake).raw("</button></td><td>").text(stage_title(one.stage));
+    out.text(one.mistake)
+        .raw("</button></td><td class=\"whole-words\">")
+        .text(stage_title(one.stage));
     out.raw("</td><td class=\"number\">").number(one.submissions).raw("</td></tr>\n");
   }
   out.raw("</tbody></table></div>\n");
@@ -99,10 +101,7 @@ std::string class_page(const Run& run, std::span<const Summary> all) {
   const std::string title = say(text::report_class_title, {run.title});
   MarkupWriter out;
   out.raw("<header>\n").element("h1", title).raw("\n<p class=\"dim\">");
-  out.text(say(text::report_made, {run.date})).raw(" · ");
-  out.text(say(text::report_toolkit, {run.toolkit})).raw(" · ");
-  out.text(say(text::report_seed, {std::to_string(run.seed)})).raw(" · ");
-  out.text(box_words(run.box)).raw("</p>\n</header>\n<main>\n");
+  out.text(graded_with(run, run.seed, run.box)).raw("</p>\n</header>\n<main>\n");
   if (all.empty()) {
     out.element("p", say(text::report_empty_class)).raw("\n");
   } else {

@@ -21,10 +21,13 @@ bool is_marked(const Summary& one, const std::string& stage) {
                      [&](const Override& own) { return own.stage == stage; });
 }
 
-void add_heading(MarkupWriter& out, bool numeric, const std::string& words) {
-  out.raw("<th scope=\"col\"");
-  if (numeric) out.raw(" class=\"number\"");
-  out.raw("><button type=\"button\">").text(words).raw("</button></th>");
+void add_heading(MarkupWriter& out, const std::string& words) {
+  out.raw("<th scope=\"col\"><button type=\"button\">").text(words).raw("</button></th>");
+}
+
+void add_heading(MarkupWriter& out, const std::string& words, int most) {
+  out.raw("<th scope=\"col\" class=\"number\"><button type=\"button\">").text(words);
+  out.raw("</button><small>").text("/ " + points_text(most)).raw("</small></th>");
 }
 
 /// A number of points, colored; nothing to sort by where there is none.
@@ -64,8 +67,8 @@ void add_row(MarkupWriter& out, const Summary& one, const ClassStatistics& numbe
   out.raw("><a").attribute("href", "submissions/" + address(one.id) + "/index.html").raw("><bdi>");
   out.text(shown_name).raw("</bdi></a></th><td").attribute("data-sort", one.username).raw("><bdi>");
   out.text(one.username).raw("</bdi></td>");
-  for (const StageStatistics& stage : numbers.stages) add_stage(out, one, stage.stage);
   add_points(out, one.points, one.most, is_settled(one), "");
+  for (const StageStatistics& stage : numbers.stages) add_stage(out, one, stage.stage);
   out.raw("<td").attribute("data-sort", remark).raw(">").text(remark).raw("</td></tr>\n");
 }
 
@@ -83,13 +86,13 @@ void add_class_table(MarkupWriter& out, std::span<const Summary> all,
   out.raw("\n<div class=\"scroll\" tabindex=\"0\" role=\"region\"");
   out.attribute("aria-label", say(text::report_all_submissions));
   out.raw(">\n<table id=\"class\"><thead><tr>");
-  add_heading(out, false, say(text::report_name));
-  add_heading(out, false, say(text::report_username));
+  add_heading(out, say(text::report_name));
+  add_heading(out, say(text::report_username));
+  add_heading(out, say(text::report_total), numbers.most);
   for (const StageStatistics& stage : numbers.stages) {
-    add_heading(out, true, stage_title(stage.stage) + " / " + points_text(stage.most));
+    add_heading(out, stage_title(stage.stage), stage.most);
   }
-  add_heading(out, true, say(text::report_total) + " / " + points_text(numbers.most));
-  add_heading(out, false, say(text::report_remarks));
+  add_heading(out, say(text::report_remarks));
   out.raw("</tr></thead>\n<tbody>\n");
   for (const Summary& one : all) add_row(out, one, numbers);
   out.raw("</tbody></table>\n</div>\n</section>\n");

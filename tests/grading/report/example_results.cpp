@@ -190,6 +190,22 @@ const std::vector<std::string>& hostile_texts() {
   return texts;
 }
 
+namespace {
+
+/// A hostile text in every place that a student's words can be in; stages and pictures as they are.
+SubmissionResult hostile_one(unsigned n) {
+  const SubmissionResult wrong = wrong_submission();
+  SubmissionResult out = hostile_submission(hostile_texts()[n / 4 % hostile_texts().size()]);
+  out.id = fmt::format("s{:04}", n);
+  for (std::size_t i = 0; i < out.stages.size(); ++i) {
+    out.stages[i].stage = wrong.stages[i].stage;
+    out.stages[i].pictures = wrong.stages[i].pictures;
+  }
+  return out;
+}
+
+}  // namespace
+
 SubmissionResult example_submission(int index) {
   constexpr const char* first[] = {"Άννα",  "Γιώργος", "Ελένη",    "Κώστας", "Μαρία",
                                    "Νίκος", "Zoe",     "O'Connor", "Adèle",  "Ödön"};
@@ -204,13 +220,11 @@ SubmissionResult example_submission(int index) {
       "L is not divided by its length", "N points inward: the spheres are lit from behind",
       "a negative cosine is not ignored", "a is missing, as if D had length 1"};
   const auto n = static_cast<unsigned>(index);
-  const auto& texts = hostile_texts();
-  const std::string name = n % 12 == 5 ? texts[n / 12 % texts.size()]
-                                       : fmt::format("{} {}", first[n * 7 % 10], last[n * 5 % 7]);
+  if (n % 4 == 3) return hostile_one(n);
   SubmissionResult out = n % 3 == 0 ? right_submission() : wrong_submission();
   if (n % 31 == 30) out = unjudged_submission();
   out.id = fmt::format("s{:04}", index);
-  out.name = name;
+  out.name = fmt::format("{} {}", first[n * 7 % 10], last[n * 5 % 7]);
   out.username = fmt::format("cs{:04}", (n * 7919) % 10000);
   out.email = out.username + "@example.org";
   if (n % 3 != 1) out.overrides.clear();

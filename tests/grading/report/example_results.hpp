@@ -23,7 +23,8 @@ SubmissionResult unjudged_submission();
 SubmissionResult hostile_submission(const std::string& text);
 Run hostile_run(const std::string& text);
 
-/// A class of `count`: of many names, some of them hostile, with marks all over the scale.
+/// One of a class: of many names, every fourth of them hostile, with right, wrong and unjudged
+/// ones.
 SubmissionResult example_submission(int index);
 
 /// What breaks out of some place: HTML, attributes, CSV, terminals, workflows, Markdown, JSON, XML.

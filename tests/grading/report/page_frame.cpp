@@ -21,7 +21,7 @@ std::string hash_source(std::string_view hex) {
 }  // namespace
 
 std::string whole_page(std::string_view title, const MarkupWriter& body, bool with_script) {
-  const std::string policy = "default-src 'none'; img-src 'self' file:; style-src " +
+  const std::string policy = "default-src 'none'; img-src 'self' file: data:; style-src " +
                              hash_source(report_css_sha256) + "; script-src " +
                              (with_script ? hash_source(report_js_sha256) : "'none'") +
                              "; base-uri 'none'; form-action 'none'";

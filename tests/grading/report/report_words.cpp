@@ -103,6 +103,13 @@ std::string box_words(std::string_view box) {
   return say(text::report_box, {box == "none" ? say(text::report_unboxed) : std::string(box)});
 }
 
+std::string graded_with(const Run& run, std::uint64_t seed, std::string_view box) {
+  std::string date = run.date;  // ISO 8601: a space reads better than its T
+  if (date.size() > 10 && date[10] == 'T') date[10] = ' ';
+  return say(text::report_made, {date}) + " · " + say(text::report_toolkit, {run.toolkit}) + " · " +
+         say(text::report_seed, {std::to_string(seed)}) + " · " + box_words(box);
+}
+
 std::string points_of_most(int points, int most) {
   return points_text(points) + " / " + points_text(most);
 }

@@ -27,6 +27,9 @@ std::string status_words(Status status);
 /// ✓, ✗ or –.
 std::string_view mark(Status status);
 
+/// What all was graded with: the date, the toolkit, the seed and the level of the box, in one line.
+std::string graded_with(const Run& run, std::uint64_t seed, std::string_view box);
+
 /// How the programs were kept apart: the level of the box.
 std::string box_words(std::string_view box);
 

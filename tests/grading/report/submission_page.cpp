@@ -49,9 +49,8 @@ std::string submission_page(const Run& run, const SubmissionResult& submission) 
     out.raw("<p class=\"dim\"><bdi>").text(submission.username).raw("</bdi></p>\n");
   }
   out.raw("<ul class=\"facts\"><li><strong id=\"total\">");
-  out.text(points_text(submission.points())).raw("</strong>");
-  out.text(
-      say(text::report_points, {points_text(submission.points()), points_text(submission.most())}));
+  out.text(points_of_most(submission.points(), submission.most())).raw("</strong>");
+  out.text(say(text::report_total));
   out.raw("</li></ul>\n");
   if (!is_settled(summary)) {
     out.raw("<p id=\"not-settled\"><strong>").text(say(text::report_not_settled));
@@ -68,10 +67,7 @@ std::string submission_page(const Run& run, const SubmissionResult& submission) 
                       shown(run.feedback));
   }
   out.raw("</main>\n<footer class=\"dim\">\n<p>");
-  out.text(say(text::report_made, {run.date})).raw(" · ");
-  out.text(say(text::report_toolkit, {run.toolkit})).raw(" · ");
-  out.text(say(text::report_seed, {std::to_string(submission.seed)})).raw(" · ");
-  out.text(box_words(submission.box)).raw("</p>\n<p>");
+  out.text(graded_with(run, submission.seed, submission.box)).raw("</p>\n<p>");
   out.text(say(text::report_source, {submission.source})).raw(" · ");
   out.text(say(text::report_key, {submission.key})).raw("</p>\n</footer>\n");
   return whole_page(one_line(shown_name + " · " + run.title), out, false);

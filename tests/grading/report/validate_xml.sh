@@ -6,7 +6,7 @@ folder=$(mktemp -d) || exit 3
 trap 'rm -rf "$folder"' EXIT
 validate() { xmllint --noout --nonet --schema "$here/junit.xsd" "$@"; }
 
-FOS_LANG=en "$1/fos_example_report" "$folder" 400 >/dev/null || exit 1
+FOS_LANG=en "$1/fos_example_report" "$folder" 150 >/dev/null || exit 1
 validate "$folder"/submissions/*/junit.xml >"$folder/words" 2>&1 ||
   { grep -v ' validates$' "$folder/words" | head -n 20 && exit 1; }
 validate "$here"/golden/junit*.xml || exit 1
