@@ -59,6 +59,9 @@ struct CheckResult {
   Cause cause = Cause::none;
   int passed = 0;  ///< of `things`
   int things = 1;
+  int points =
+      0;  ///< hundredths, of `most`; both 0 where points are given for the stage as a whole
+  int most = 0;
   std::string why;  ///< in the language of the run: the first wrong pixel; empty for a scene that
                     ///< nobody has published
 };

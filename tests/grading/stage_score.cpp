@@ -105,22 +105,26 @@ int percent_of(const Shares& shares, Part part) {
                                 : shares.relations;
 }
 
-/// Hundredths, rounded down, so that only what is whole gives all.
-int points(const StageResult& result, const Shares& shares) {
+/// Shares the stage's points out to the lines, each thing of a part alike. Hundredths are rounded
+/// down, so that only what is whole gives all.
+void give_points(StageResult& result, const Shares& shares) {
   long sum = 0;
   bool all = true;
   for (const Part part : parts) {
-    long passed = 0;
     long things = 0;
     for (const CheckResult& check : result.checks) {
-      if (check.part != part) continue;
-      passed += check.passed;
-      things += check.things;
+      if (check.part == part) things += check.things;
     }
-    all = all && passed == things;
-    if (things > 0) sum += result.most * passed * percent_of(shares, part) / things;
+    for (CheckResult& check : result.checks) {
+      if (check.part != part) continue;
+      const long worth = long{result.most} * percent_of(shares, part);
+      check.most = static_cast<int>(worth * check.things / (100 * things));
+      check.points = static_cast<int>(worth * check.passed / (100 * things));
+      sum += check.points;
+      all = all && check.passed == check.things;
+    }
   }
-  return all ? result.most : static_cast<int>(sum / 100);
+  result.points = all ? result.most : static_cast<int>(sum);
 }
 
 }  // namespace
@@ -156,7 +160,7 @@ StageResult score(const StageQuestions& questions, const std::vector<Asked>& ans
   result.checks.push_back(drawn_scenes(questions, answers));
   for (const Relation relation : relations)
     result.checks.push_back(related(relation, questions, answers));
-  result.points = points(result, shares);
+  give_points(result, shares);
   result.status = result.points == result.most ? Status::passed : Status::failed;
   for (const Asked& asked : answers) {
     if (!is_whole(asked) && result.cause == Cause::none) {
@@ -194,9 +198,9 @@ void count_carried(StageResult& result, const StageQuestions& questions,
     CheckResult& each = counted.checks[checks.size() + 2 + i];
     each.passed = is_mistaken(questions.place(relations[i])) ? 1 : 0;
   }
-  const int more = points(counted, shares);
-  if (more <= result.points) return;
-  result.points = more;
+  give_points(counted, shares);
+  if (counted.points <= result.points) return;
+  result.points = counted.points;
   result.carried = true;
 }
 

@@ -1,12 +1,17 @@
 #include "submission_grader.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 
 #include "advice.hpp"
 #include "asking.hpp"
+#include "check_report.hpp"
+#include "check_screen.hpp"
 #include "comparison.hpp"
 #include "fos/text.hpp"
+#include "fos/whole_file.hpp"
 
 namespace fos::grading {
 namespace {
@@ -36,11 +41,15 @@ std::vector<Frame> frames_of(const std::vector<Asked>& answers) {
   return frames;
 }
 
+/// The box ends what takes too long; this is for what escapes all else.
+const Limits box_decides{std::chrono::minutes(10), 0, true, true};
+
 }  // namespace
 
 SubmissionGrader::SubmissionGrader(const Course& course, unsigned slot,
                                    std::filesystem::path scratch)
     : course_(course),
+      slot_(slot),
       box_(course.box, slot, scratch / "box"),
       scratch_(std::move(scratch)),
       maker_(course.picture_program) {}
@@ -94,27 +103,39 @@ StageResult SubmissionGrader::grade_stage(const StageQuestions& questions, const
   return result;
 }
 
+std::filesystem::path SubmissionGrader::program_of(const Stage& stage) const {
+  return course_.workshop->programs() / fmt::format("{}-{}", slot_, stage.id);
+}
+
+CompileResult SubmissionGrader::compiled(const StageQuestions& questions, const StageFile& file,
+                                         bool sanitized) {
+  const Stage& stage = questions.stage();
+  CompileJob job;
+  job.source = scratch_ / (std::string(stage.id) + ".cpp");
+  job.name = "labs/" + stage_file(stage);
+  job.lecture = stage.lecture;
+  job.sanitized = sanitized;
+  job.program = program_of(stage);
+  write_whole_file(job.source, file.content);
+  return compile(*course_.workshop, box_, slot_, job, on_wait_);
+}
+
 StageResult SubmissionGrader::ask_stage(const StageQuestions& questions, const StageFile& file,
                                         const std::filesystem::path& pictures) {
-  const Stage& stage = questions.stage();
-  const Compiled compiled =
-      course_.toolchain->compile(box_, stage, file.content, scratch_, Build::release, on_wait_);
-  if (compiled.outcome == Compiled::Outcome::infrastructure)
-    throw InfrastructureError(compiled.output);
-  if (compiled.outcome != Compiled::Outcome::compiled) {
-    StageResult result = without_program(stage, Status::failed, Cause::not_compiled);
-    result.compiler = at_most(compiled.output);
+  const CompileResult made = compiled(questions, file, false);
+  if (made.ending == CompileEnding::infrastructure) throw InfrastructureError(made.run.output);
+  if (made.ending != CompileEnding::compiled) {
+    StageResult result = without_program(questions.stage(), Status::failed, Cause::not_compiled);
+    result.compiler = at_most(made.output);
     return result;
   }
-  StageProgram program(course_.toolchain->command(box_, compiled),
-                       {std::chrono::minutes(10), 0, true, true});
+  StageProgram program(stage_command(box_, program_of(questions.stage()), BoxLimits{}), box_decides);
   const std::vector<Asked> answers = ask_in_turn(program, questions.scenes(), on_wait_);
   StageResult result = score(questions, answers, course_.shares);
-  result.compiler = at_most(compiled.output);
+  result.compiler = at_most(made.output);
   if (result.status == Status::failed) {
     advise_on(result, program, questions, answers);
-    if (result.cause == Cause::crashed)
-      result.sanitizer = where_it_crashed(questions, file, answers);
+    if (result.cause == Cause::crashed) result.sanitizer = where_it_crashed(questions, file, answers);
     make_pictures(result, questions, answers, pictures);
   }
   program.end();
@@ -139,19 +160,15 @@ void SubmissionGrader::advise_on(StageResult& result, StageProgram& program,
   for (const MistakeMade& made : certain) charged_.insert(made.mistake);
 }
 
-std::string SubmissionGrader::where_it_crashed(const StageQuestions& questions,
-                                               const StageFile& file,
+std::string SubmissionGrader::where_it_crashed(const StageQuestions& questions, const StageFile& file,
                                                const std::vector<Asked>& answers) {
   const auto crash = std::find_if(answers.begin(), answers.end(), [](const Asked& asked) {
     return asked.asked && asked.answer.ending == Ending::crashed;
   });
-  const Compiled compiled = course_.toolchain->compile(box_, questions.stage(), file.content,
-                                                       scratch_, Build::sanitized, on_wait_);
-  if (crash == answers.end() || compiled.outcome != Compiled::Outcome::compiled) return "";
-  StageProgram program(course_.toolchain->command(box_, compiled),
-                       {std::chrono::minutes(10), 0, true, true});
-  const std::vector<SceneText> scene{
-      questions.scenes()[static_cast<std::size_t>(crash - answers.begin())]};
+  if (crash == answers.end()) return "";
+  if (compiled(questions, file, true).ending != CompileEnding::compiled) return "";
+  StageProgram program(stage_command(box_, program_of(questions.stage()), BoxLimits{}, true), box_decides);
+  const std::vector<SceneText> scene{questions.scenes()[static_cast<std::size_t>(crash - answers.begin())]};
   return at_most(ask_in_turn(program, scene, on_wait_).front().printed);
 }
 

@@ -22,7 +22,7 @@ namespace fos::grading {
 struct Course {
   std::vector<StageQuestions> stages;  ///< those that are graded, in the course's order
   Shares shares;
-  const Toolchain* toolchain = nullptr;
+  const Workshop* workshop = nullptr;
   std::filesystem::path picture_program;
   BoxSetting box;
   std::uint64_t seed = 0;
@@ -47,12 +47,15 @@ class SubmissionGrader {
                         const std::filesystem::path& pictures);
   void advise_on(StageResult& result, StageProgram& program, const StageQuestions& questions,
                  const std::vector<Asked>& answers);
+  CompileResult compiled(const StageQuestions& questions, const StageFile& file, bool sanitized);
+  std::filesystem::path program_of(const Stage& stage) const;
   std::string where_it_crashed(const StageQuestions& questions, const StageFile& file,
                                const std::vector<Asked>& answers);
   void make_pictures(StageResult& result, const StageQuestions& questions,
                      const std::vector<Asked>& answers, const std::filesystem::path& folder);
 
   const Course& course_;
+  unsigned slot_;
   Box box_;
   std::filesystem::path scratch_;
   PictureMaker maker_;

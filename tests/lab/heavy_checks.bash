@@ -14,6 +14,7 @@ heavy_checks() {
   step tidy clang-tidy check_tidy
   step random ctest random_scenes
   step browser chromedriver browser_page
+  step report chromedriver report_pages
   step fuzz clang++ fuzz_scene
   ((NOT_RUN)) && say lab_steps_not_run "$NOT_RUN"
   say lab_steps_sum "$PASSED" "$FAILED"
@@ -75,6 +76,9 @@ check_tidy() { "$ROOT/tests/lab/tidy.py" "$BUILD_CLANG/compile_commands.json" "$
 
 # The page of ./lab watch in a real browser.
 browser_page() { build "$BUILD" all && "$ROOT/tests/watch/viewer_test.sh" "$ROOT" "$BUILD"; }
+
+# The reports of ./lab grade in one.
+report_pages() { build "$BUILD" all && "$ROOT/tests/grading/report/report_test.sh" "$ROOT" "$BUILD"; }
 
 # The reader of scene files against a minute of hostile ones, beginning with the committed corpus.
 fuzz_scene() {

@@ -1,81 +1,12 @@
 #!/usr/bin/env python3
 """viewer_test.py URL FILE SOLUTION [FOLDER]: drives headless Chromium over the page of a running
 watch, whose stage's FILE is wrong at first. Screenshots go to FOLDER, where it is given."""
-import base64
-import json
-import shutil
-import socket
-import subprocess
 import sys
-import tempfile
-import time
-import urllib.request
+
+from browser import in_browser, until
 
 URL, FILE, SOLUTION = sys.argv[1:4]
 FOLDER = sys.argv[4] if len(sys.argv) > 4 else None
-FLAGS = """--headless --no-sandbox --disable-gpu --disable-quic --no-first-run
-  --disable-background-networking --disable-component-update --disable-sync""".split()
-
-
-class Browser:
-    """As much of the WebDriver protocol as is needed here."""
-
-    def __init__(self, profile):
-        with socket.socket() as free:
-            free.bind(("127.0.0.1", 0))
-            port = free.getsockname()[1]
-        self.driver = subprocess.Popen(["chromedriver", f"--port={port}"],
-                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        self.base = f"http://127.0.0.1:{port}"
-        until(lambda: self.ask("GET", "/status")["ready"], "chromedriver", patient=True)
-        options = {"args": [*FLAGS, f"--user-data-dir={profile}", "--window-size=1200,1100"],
-                   "binary": shutil.which("chromium")}
-        session = self.ask("POST", "/session", {"capabilities": {"alwaysMatch": {
-            "goog:chromeOptions": options, "goog:loggingPrefs": {"browser": "ALL"}}}})
-        self.base += "/session/" + session["sessionId"]
-
-    def ask(self, method, path, body=None):
-        data = json.dumps(body or {}).encode() if method == "POST" else None
-        request = urllib.request.Request(self.base + path, data, method=method)
-        with urllib.request.urlopen(request, timeout=120) as answer:
-            return json.load(answer)["value"]
-
-    def run(self, script):
-        return self.ask("POST", "/execute/sync", {"script": script, "args": []})
-
-    def text(self, element):
-        return self.run(f"return document.getElementById('{element}').textContent")
-
-    def devtools(self, command, **parameters):
-        self.ask("POST", "/goog/cdp/execute", {"cmd": command, "params": parameters})
-
-    def click(self, x, y):
-        at = [{"type": "pointerMove", "duration": 0, "x": x, "y": y},
-              {"type": "pointerDown", "button": 0}, {"type": "pointerUp", "button": 0}]
-        self.ask("POST", "/actions", {"actions": [{"type": "pointer", "id": "m", "actions": at}]})
-
-    def press(self, *keys):
-        steps = [{"type": "keyDown", "value": k} for k in keys]
-        steps += [{"type": "keyUp", "value": k} for k in reversed(keys)]
-        self.ask("POST", "/actions", {"actions": [{"type": "key", "id": "k", "actions": steps}]})
-
-    def screenshot(self, name):
-        if FOLDER:
-            with open(f"{FOLDER}/{name}.png", "wb") as out:
-                out.write(base64.b64decode(self.ask("GET", "/screenshot")))
-
-
-def until(condition, what, patient=False):
-    """Waits up to a minute: the page follows a program that compiles."""
-    for _ in range(600):
-        try:
-            if condition():
-                return
-        except OSError:
-            if not patient:
-                raise
-        time.sleep(0.1)
-    raise AssertionError("never came: " + what)
 
 
 def pixel(browser, canvas, column, row):
@@ -178,25 +109,11 @@ def test(browser):
     assert color == "rgb(22, 24, 27)", color
     browser.screenshot("phone")
 
-    # Nothing is asked of anyone else, and nothing went wrong on the way.
-    names = browser.run("return performance.getEntriesByType('resource').map((e) => e.name)")
-    assert all(name.startswith(("file:", "data:")) for name in names), names
-    errors = [entry for entry in browser.ask("POST", "/se/log", {"type": "browser"})
-              if entry["level"] == "SEVERE"]
-    assert not errors, errors
+    browser.check_quiet()
 
 
 # The slides' formula at column 300, row 400 of the lecture's scene, as tests/check has it.
 EXPECTED = [161, 0, 0]
 
-with tempfile.TemporaryDirectory() as profile_folder:
-    chromium = Browser(profile_folder)
-    try:
-        test(chromium)
-        print("the page: passed")
-    finally:
-        try:
-            chromium.ask("DELETE", "")
-        finally:
-            chromium.driver.terminate()
-            chromium.driver.wait()
+in_browser(test, FOLDER)
+print("the page: passed")

@@ -21,7 +21,7 @@ watch_in en
 wait_for viewer.html || exit 1
 url=$(grep -o 'file://.*viewer.html' "$WORK/screen")
 wait_for 'verdict in' || exit 1
-check "the page" python3 "$(dirname "$0")/viewer_test.py" "$url" "$file" \
+check "the page" python3 -B "$(dirname "$0")/viewer_test.py" "$url" "$file" \
   "$ROOT/solutions/lecture04/point.cpp" ${3:+"$3"}
 kill "$WATCH" 2>/dev/null
 wait "$WATCH"

@@ -35,7 +35,8 @@ Written written(const CheckResult& check) {
   return {{"part", name(check.part)},         {"words_en", text(check.words_en)},
           {"words_el", text(check.words_el)}, {"status", name(check.status)},
           {"cause", name(check.cause)},       {"passed", check.passed},
-          {"things", check.things},           {"why", text(check.why)}};
+          {"things", check.things},           {"points", check.points},
+          {"most", check.most},               {"why", text(check.why)}};
 }
 
 Written written(const StageResult& stage) {
@@ -152,6 +153,8 @@ CheckResult check_of(const Read& value) {
   check.cause = enum_of(keys["cause"], Cause::infrastructure);
   check.passed = count_of(keys["passed"]);
   check.things = count_of(keys["things"]);
+  check.points = count_of(keys["points"]);
+  check.most = count_of(keys["most"]);
   check.why = string_of(keys["why"]);
   keys.end();
   if (check.passed > check.things) refuse("more passed than there are");

@@ -30,6 +30,8 @@ SubmissionResult sample_result(const std::string& id) {
       check.cause = Cause::wrong_pixels;
       check.passed = i;
       check.things = 20;
+      check.points = 150;
+      check.most = 400;
       check.why = "column 300, row 349: 12, 34, 56 instead of 78, 90, 12";
       stage.checks.push_back(check);
     }
