@@ -20,6 +20,7 @@ Tally grade_class(const ClassFiles& hand_ins, const std::vector<std::string>& ke
   }
   tally.finished_before = hand_ins.size() - left.size();
 
+  const ReportSettings settings{options.formats};
   std::mutex busy;
   Progress progress(say(text::grade_progress), static_cast<long>(left.size()));
   std::size_t next = 0;
@@ -39,14 +40,15 @@ Tally grade_class(const ClassFiles& hand_ins, const std::vector<std::string>& ke
   };
   const auto work = [&](unsigned slot) {
     try {
-      SubmissionGrader grader(course, slot, options.output / "scratch" / std::to_string(slot));
+      SubmissionGrader grader(course, slot, scratch / std::to_string(slot));
       HandIn hand_in;
       for (std::size_t place = 0; take(hand_in, place);) {
         const auto pictures = submission_folder(options.output, hand_in.whose.id);
         SubmissionResult result = grader.grade(hand_in, pictures, wait);
         result.key = keys[place];
+        const std::scoped_lock lock(busy);  // one file is written at a time
         journal.write(result);
-        const std::scoped_lock lock(busy);
+        write_submission_files(options.output, run, result, settings);
         if (result.status == Status::not_judged) ++tally.not_judged;
         progress.update(static_cast<long>(++tally.graded));
       }

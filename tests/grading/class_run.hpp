@@ -8,6 +8,7 @@
 #include "grade_options.hpp"
 #include "grading/intake/class_files.hpp"
 #include "grading/intake/journal.hpp"
+#include "grading/report/report_files.hpp"
 #include "submission_grader.hpp"
 
 namespace fos::grading {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 
 #include "advice.hpp"
 #include "asking.hpp"
@@ -11,7 +12,6 @@
 #include "check_screen.hpp"
 #include "comparison.hpp"
 #include "fos/text.hpp"
-#include "fos/whole_file.hpp"
 
 namespace fos::grading {
 namespace {
@@ -52,7 +52,9 @@ SubmissionGrader::SubmissionGrader(const Course& course, unsigned slot,
       slot_(slot),
       box_(course.box, slot, scratch / "box"),
       scratch_(std::move(scratch)),
-      maker_(course.picture_program) {}
+      maker_(course.picture_program) {
+  std::filesystem::create_directories(scratch_);
+}
 
 SubmissionResult SubmissionGrader::grade(const HandIn& hand_in,
                                          const std::filesystem::path& pictures,
@@ -116,7 +118,7 @@ CompileResult SubmissionGrader::compiled(const StageQuestions& questions, const 
   job.lecture = stage.lecture;
   job.sanitized = sanitized;
   job.program = program_of(stage);
-  write_whole_file(job.source, file.content);
+  std::ofstream(job.source, std::ios::binary) << file.content;
   return compile(*course_.workshop, box_, slot_, job, on_wait_);
 }
 
@@ -129,13 +131,15 @@ StageResult SubmissionGrader::ask_stage(const StageQuestions& questions, const S
     result.compiler = at_most(made.output);
     return result;
   }
-  StageProgram program(stage_command(box_, program_of(questions.stage()), BoxLimits{}), box_decides);
+  StageProgram program(stage_command(box_, program_of(questions.stage()), BoxLimits{}),
+                       box_decides);
   const std::vector<Asked> answers = ask_in_turn(program, questions.scenes(), on_wait_);
   StageResult result = score(questions, answers, course_.shares);
   result.compiler = at_most(made.output);
   if (result.status == Status::failed) {
     advise_on(result, program, questions, answers);
-    if (result.cause == Cause::crashed) result.sanitizer = where_it_crashed(questions, file, answers);
+    if (result.cause == Cause::crashed)
+      result.sanitizer = where_it_crashed(questions, file, answers);
     make_pictures(result, questions, answers, pictures);
   }
   program.end();
@@ -160,15 +164,18 @@ void SubmissionGrader::advise_on(StageResult& result, StageProgram& program,
   for (const MistakeMade& made : certain) charged_.insert(made.mistake);
 }
 
-std::string SubmissionGrader::where_it_crashed(const StageQuestions& questions, const StageFile& file,
+std::string SubmissionGrader::where_it_crashed(const StageQuestions& questions,
+                                               const StageFile& file,
                                                const std::vector<Asked>& answers) {
   const auto crash = std::find_if(answers.begin(), answers.end(), [](const Asked& asked) {
     return asked.asked && asked.answer.ending == Ending::crashed;
   });
   if (crash == answers.end()) return "";
   if (compiled(questions, file, true).ending != CompileEnding::compiled) return "";
-  StageProgram program(stage_command(box_, program_of(questions.stage()), BoxLimits{}, true), box_decides);
-  const std::vector<SceneText> scene{questions.scenes()[static_cast<std::size_t>(crash - answers.begin())]};
+  StageProgram program(stage_command(box_, program_of(questions.stage()), BoxLimits{}, true),
+                       box_decides);
+  const std::vector<SceneText> scene{
+      questions.scenes()[static_cast<std::size_t>(crash - answers.begin())]};
   return at_most(ask_in_turn(program, scene, on_wait_).front().printed);
 }
 
