@@ -1,7 +1,12 @@
 // Stages compiled in the box: right ones, wrong ones and evil ones.
 #include "grading/box/compile.hpp"
 
+#include <sys/resource.h>
 #include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
 
 #include <fstream>
 
@@ -150,4 +155,36 @@ TEST_CASE("a crash is found by sanitizers") {
   std::string words;
   CHECK(ask(compiled.program, frame, false, &words, true).ending != Ending::complete);
   CHECK_THAT(words, ContainsSubstring("labs/lecture04/point.cpp:4"));
+}
+
+// Not run unless asked for: box_test "[speed]".
+TEST_CASE("what the box costs", "[.speed]") {
+  FOS_NEEDS_BOX();
+  const auto cpu = [] {
+    rusage used{};
+    getrusage(RUSAGE_CHILDREN, &used);
+    return static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
+           1e-6 * static_cast<double>(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
+  };
+  const auto measure = [&](const char* what, int times, const auto& work) {
+    work();
+    const double before = cpu();
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < times; ++i) work();
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+    std::printf("%-34s %7.1f ms of processor time, %7.1f ms by the clock\n", what,
+                1e3 * (cpu() - before) / times, 1e3 * wall.count() / times);
+  };
+  const fs::path source = FOS_SOURCE_FOLDER "/solutions/lecture04/point.cpp";
+  measure("nothing, in the box", 50, [] { run(make_box(), attack("nothing")); });
+  measure("nothing, outside", 50, [] {
+    const std::string command = attack("nothing").shown[0].host.string() + " nothing";
+    if (std::system(command.c_str()) != 0) std::puts("?");
+  });
+  measure("a stage compiled, in the box", 20, [&] { compile_file(source, "point", 4); });
+  const fs::path program = workshop().programs() / "point";
+  measure("a stage asked one small scene", 50, [&] {
+    Frame frame;
+    ask(program, frame, true);
+  });
 }
