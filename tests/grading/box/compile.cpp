@@ -43,7 +43,7 @@ bool includes_closest_hit(const std::string& source) {
 
 /// The program as ours, where nobody but its box can use it. False where it is no plain file.
 bool take_program(const fs::path& made, const fs::path& place, unsigned user) {
-  struct stat status{};
+  struct stat status {};
   if (lstat(made.c_str(), &status) != 0 || !S_ISREG(status.st_mode) || status.st_nlink != 1) {
     return false;
   }
@@ -93,8 +93,7 @@ CompileResult compile(const Workshop& workshop, const Box& box, unsigned slot,
   switch (result.run.ending) {
     case RunEnding::exited:
       result.ending = CompileEnding::rejected;
-      if (result.run.status == 0 &&
-          take_program(folder / program_name, job.program, box.user())) {
+      if (result.run.status == 0 && take_program(folder / program_name, job.program, box.user())) {
         result.ending = CompileEnding::compiled;
       }
       break;

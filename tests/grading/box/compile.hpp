@@ -19,10 +19,10 @@ enum class CompileEnding {
 };
 
 struct CompileJob {
-  std::filesystem::path source;   ///< the student's file
-  std::string name;               ///< as messages call it: labs/lecture04/point.cpp
-  int lecture = 4;                ///< whose headers it sees
-  bool sanitized = false;         ///< with sanitizers and debug information, to say where it crashes
+  std::filesystem::path source;  ///< the student's file
+  std::string name;              ///< as messages call it: labs/lecture04/point.cpp
+  int lecture = 4;               ///< whose headers it sees
+  bool sanitized = false;        ///< with sanitizers and debug information, to say where it crashes
   std::filesystem::path program;  ///< where to put it; run it in a box of the same slot
 };
 

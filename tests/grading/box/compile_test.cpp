@@ -7,12 +7,12 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-
 #include <fstream>
 
 #include "catch2.hpp"
 #include "fos/stage_program.hpp"
 #include "grading/box/box_under_test.hpp"
+#include "grading/box/workshop_under_test.hpp"
 
 using namespace fos;
 using namespace fos::grading;
@@ -20,13 +20,6 @@ using namespace fos::grading;
 namespace {
 
 namespace fs = std::filesystem;
-
-const Workshop& workshop() {
-  static Workshop shop(this_build(), test_folder() / "workshop");
-  static const bool precompiled = shop.precompile(make_box());
-  REQUIRE(precompiled);
-  return shop;
-}
 
 struct Compiled {
   CompileResult result;
@@ -36,9 +29,9 @@ struct Compiled {
 Compiled compile_file(const fs::path& source, const std::string& stage, int lecture,
                       bool sanitized = false) {
   Compiled compiled;
-  compiled.program = workshop().programs() / (stage + (sanitized ? "-sanitized" : ""));
+  compiled.program = workshop_under_test().programs() / (stage + (sanitized ? "-sanitized" : ""));
   const std::string name = "labs/lecture0" + std::to_string(lecture) + "/" + stage + ".cpp";
-  compiled.result = compile(workshop(), make_box(), 0,
+  compiled.result = compile(workshop_under_test(), make_box(), 0,
                             {source, name, lecture, sanitized, compiled.program});
   INFO(compiled.result.output);
   CHECK(compiled.result.ending != CompileEnding::infrastructure);
@@ -51,8 +44,9 @@ Compiled compile_text(const std::string& text, int lecture = 4, bool sanitized =
   return compile_file(file, lecture == 4 ? "point" : "flat_color", lecture, sanitized);
 }
 
-const std::string black = "#include \"fos/stage.hpp\"\nnamespace fos {\nColor trace_ray(const Vec3&,"
-                          " const Vec3&, Real, Real, const Scene&) { return Color(7); }\n}\n";
+const std::string black =
+    "#include \"fos/stage.hpp\"\nnamespace fos {\nColor trace_ray(const Vec3&,"
+    " const Vec3&, Real, Real, const Scene&) { return Color(7); }\n}\n";
 
 Answer ask(const fs::path& program, Frame& frame, bool fresh, std::string* words = nullptr,
            bool sanitized = false) {
@@ -91,8 +85,9 @@ TEST_CASE("what lecture 3 builds is not there for it") {
   CHECK_THAT(early.result.output, ContainsSubstring("labs/lecture03/flat_color.cpp:1:10"));
   CHECK(compile_text(text, 4).result.ending == CompileEnding::compiled);
   // A student's own, where the header is not asked for.
-  CHECK(compile_text(black + "namespace fos { struct Hit {}; int closest_hit; }", 4)
-            .result.ending == CompileEnding::compiled);
+  CHECK(
+      compile_text(black + "namespace fos { struct Hit {}; int closest_hit; }", 4).result.ending ==
+      CompileEnding::compiled);
 }
 
 TEST_CASE("what the compiler says is kept, and warnings do not count") {
@@ -114,8 +109,7 @@ TEST_CASE("nothing that the box does not show gets into a program or a message")
   const auto included = compile_text("#include \"" + secret + "\"\n" + black);
   CHECK(included.result.ending == CompileEnding::rejected);
   CHECK(included.result.output.find("the reference") == std::string::npos);
-  const auto assembled =
-      compile_text(black + "asm(\".incbin \\\"" + secret + "\\\"\");\n");
+  const auto assembled = compile_text(black + "asm(\".incbin \\\"" + secret + "\\\"\");\n");
   CHECK(assembled.result.ending == CompileEnding::rejected);
   if (make_box().level() != Level::uid) {
     const auto passwd = compile_text("#include \"/etc/passwd\"\n" + black);
@@ -131,7 +125,8 @@ TEST_CASE("compilers that do not end, or take all there is, are stopped") {
        {"#include </dev/random>\n", "#include \"/dev/zero\"\n",
         "template <int N> struct A { typename A<N + 1>::t x; typename A<N + 2>::t y; };"
         "A<0> a;\n",
-        "constexpr long f(long n) { long s = 0; for (long i = 0; i < n; ++i) for (long j = 0; j < n;"
+        "constexpr long f(long n) { long s = 0; for (long i = 0; i < n; ++i) for (long j = 0; j < "
+        "n;"
         " ++j) s += j; return s; } constexpr long x = f(1000000000);\n",
         "char big[3000000000] = {1};\n", "#include __FILE__\n",
         "asm(\".rept 1000000000\\n.quad 0\\n.endr\");\n"}) {
@@ -182,7 +177,7 @@ TEST_CASE("what the box costs", "[.speed]") {
     if (std::system(command.c_str()) != 0) std::puts("?");
   });
   measure("a stage compiled, in the box", 20, [&] { compile_file(source, "point", 4); });
-  const fs::path program = workshop().programs() / "point";
+  const fs::path program = workshop_under_test().programs() / "point";
   measure("a stage asked one small scene", 50, [&] {
     Frame frame;
     ask(program, frame, true);

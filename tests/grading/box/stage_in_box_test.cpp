@@ -50,8 +50,7 @@ TEST_CASE("frames come out of the box, again and again from one program") {
   StageProgram program(command(box, "none"));
   for (int i = 0; i < 3; ++i) {
     Frame frame;
-    CHECK(program.ask({"name", std::string(500'000, ' '), 2, 2}, frame).ending ==
-          Ending::complete);
+    CHECK(program.ask({"name", std::string(500'000, ' '), 2, 2}, frame).ending == Ending::complete);
     REQUIRE(frame.channels.size() == 12);
     CHECK(frame.pixel(1, 1)[2] == 6);
   }

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <utility>
 
-#include "grading/box/run.hpp"
 #include "fos/stage_build.inc"  // generated; it needs <string_view>
+#include "grading/box/run.hpp"
 
 namespace fos::grading {
 namespace {
@@ -16,8 +16,7 @@ namespace fs = std::filesystem;
 constexpr int lecture_with_closest_hit = 4;  // lecture 3 builds what that header holds
 constexpr const char* header_name = "stage.hxx";
 constexpr std::string_view sanitizers[] = {"-O1", "-g", "-fsanitize=address,undefined",
-                                           "-fno-sanitize-recover=all",
-                                           "-fno-omit-frame-pointer"};
+                                           "-fno-sanitize-recover=all", "-fno-omit-frame-pointer"};
 constexpr auto readable_folder = fs::perms{0755};
 constexpr auto readable_file = fs::perms{0444};
 constexpr auto runnable_file = fs::perms{0555};
@@ -112,8 +111,7 @@ Errand Workshop::compiler_errand(int lecture, Headers headers, bool sanitized) c
     errand.words.insert(errand.words.end(), std::begin(sanitizers), std::end(sanitizers));
   } else if (precompiled_[static_cast<std::size_t>(headers)]) {
     errand.shown.push_back({headers_folder(folder_, headers), "/box/pch"});
-    errand.words.insert(errand.words.end(),
-                        {"-include", std::string("/box/pch/") + header_name});
+    errand.words.insert(errand.words.end(), {"-include", std::string("/box/pch/") + header_name});
   }
   errand.limits.cpu_seconds = 30;
   errand.limits.memory = std::uint64_t{1536} << 20;
@@ -169,9 +167,9 @@ std::vector<std::string> Workshop::linker_words() const {
 }
 
 std::string Workshop::readable(std::string words) const {
-  for (const std::string& place : {std::string("/box/kit"),
-                                   kit(lecture_with_closest_hit).string() + "-before",
-                                   kit(lecture_with_closest_hit).string()}) {
+  for (const std::string& place :
+       {std::string("/box/kit"), kit(lecture_with_closest_hit).string() + "-before",
+        kit(lecture_with_closest_hit).string()}) {
     replace_all(words, place + "/include/", "common/include/");
     replace_all(words, place + "/generated/", "generated/");
     replace_all(words, place + "/", "");

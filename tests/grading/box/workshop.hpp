@@ -12,14 +12,14 @@ namespace fos::grading {
 
 /// What a stage is built with, as CMake builds it.
 struct StageBuild {
-  std::filesystem::path compiler;           ///< its real path
-  std::vector<std::string> flags;           ///< as for the stage programs, without -Werror
-  std::filesystem::path source_folder;      ///< the toolkit's
-  std::filesystem::path generated;          ///< what CMake wrote
-  std::filesystem::path stage_main;         ///< an object file
+  std::filesystem::path compiler;                ///< its real path
+  std::vector<std::string> flags;                ///< as for the stage programs, without -Werror
+  std::filesystem::path source_folder;           ///< the toolkit's
+  std::filesystem::path generated;               ///< what CMake wrote
+  std::filesystem::path stage_main;              ///< an object file
   std::vector<std::filesystem::path> libraries;  ///< of ours, in the linker's order
   std::vector<std::filesystem::path> system_libraries;
-  std::filesystem::path inside;             ///< the program fos_box_inside
+  std::filesystem::path inside;  ///< the program fos_box_inside
 };
 
 /// This build tree's own.
