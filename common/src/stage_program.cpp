@@ -85,14 +85,13 @@ bool StageProgram::start() {
   std::array<int, 2> watched{-1, -1};
   std::array<int, 2> errors{-1, -1};
   int error = 0;
-  const bool opened =
-      socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, requests.data()) == 0 &&
-      pipe2(frames.data(), O_CLOEXEC) == 0 &&
-      (!limits_.hear || pipe2(printed.data(), O_CLOEXEC) == 0) &&
-      (limits_.hear || !supervised_ || open_nowhere(printed[1])) &&
-      (!supervised_ ||
-       socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, watched.data()) == 0) &&
-      pipe2(errors.data(), O_CLOEXEC) == 0;
+  const bool opened = socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, requests.data()) == 0 &&
+                      pipe2(frames.data(), O_CLOEXEC) == 0 &&
+                      (!limits_.hear || pipe2(printed.data(), O_CLOEXEC) == 0) &&
+                      (limits_.hear || !supervised_ || open_nowhere(printed[1])) &&
+                      (!supervised_ || socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0,
+                                                  watched.data()) == 0) &&
+                      pipe2(errors.data(), O_CLOEXEC) == 0;
   if (!opened) error = errno;
   if (opened) {
     const pid_t parent = getpid();

@@ -21,8 +21,8 @@ class Supervision {
   /// Nothing more is asked: the supervisor ends what it runs.
   void shut() const;
 
-  /// Hears what the supervisor says, or waits until `other` can be read too (-1: nothing), or for so
-  /// long.
+  /// Hears what the supervisor says, or waits until `other` can be read too (-1: nothing), or for
+  /// so long.
   void hear(int other, std::chrono::milliseconds patience);
 
   /// Hears what the supervisor says until it has ended, or for so long.

@@ -39,8 +39,8 @@ enum class Cause : std::uint32_t {
 struct Message {
   Event event = Event::started;
   Cause cause = Cause::itself;
-  std::int32_t status = 0;  ///< ended: as of waitpid; not_started: an errno
-  std::uint32_t step = 0;   ///< not_started: where (for whoever looks for the reason)
+  std::int32_t status = 0;             ///< ended: as of waitpid; not_started: an errno
+  std::uint32_t step = 0;              ///< not_started: where (for whoever looks for the reason)
   std::uint64_t cpu_microseconds = 0;  ///< of all its processes, as far as is known
   std::uint64_t peak_bytes = 0;        ///< of memory, all of them together, as far as was seen
 };

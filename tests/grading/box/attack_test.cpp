@@ -67,9 +67,10 @@ TEST_CASE("it reads nothing that is not shown") {
   FOS_NEEDS_BOX();
   std::vector<std::string> paths{secret_file().string()};
   if (box_under_test()->level != Level::uid) {
-    paths.insert(paths.end(), {test_folder().string(), FOS_SOURCE_FOLDER "/solutions/lecture04/point.cpp",
-                               FOS_SOURCE_FOLDER "/tests", "/etc/passwd", "/etc/shadow", "/root",
-                               "/home", "/var", "/usr/local", "/tmp/.."});
+    paths.insert(paths.end(),
+                 {test_folder().string(), FOS_SOURCE_FOLDER "/solutions/lecture04/point.cpp",
+                  FOS_SOURCE_FOLDER "/tests", "/etc/passwd", "/etc/shadow", "/root", "/home",
+                  "/var", "/usr/local", "/tmp/.."});
     if (box_under_test()->level == Level::bubblewrap) paths.resize(paths.size() - 1);
   }
   const auto result = run(make_box(), attack("reads", paths));
@@ -80,9 +81,9 @@ TEST_CASE("it reads nothing that is not shown") {
 
 TEST_CASE("it writes nowhere but where it may") {
   FOS_NEEDS_BOX();
-  const auto result = run(make_box(), attack("writes", {secret_file().string(), "/usr/lib/fos-x",
-                                                        "/etc/fos-x", "/proc/sys/kernel/fos-x",
-                                                        "/box/attacker"}));
+  const auto result =
+      run(make_box(), attack("writes", {secret_file().string(), "/usr/lib/fos-x", "/etc/fos-x",
+                                        "/proc/sys/kernel/fos-x", "/box/attacker"}));
   INFO(result.output);
   CHECK(result.status == 1);
   CHECK(contents(secret_file()) == "the reference\n");
@@ -198,8 +199,9 @@ TEST_CASE("what one slot writes, another does not see") {
   FOS_NEEDS_BOX();
   const Box one = make_box(0);
   run(one, attack("writes a huge file"));
-  const auto reads = run(make_box(1), attack("reads", {"huge", (test_folder() / "scratch0/huge").string(),
-                                                       (test_folder() / "scratch0").string()}));
+  const auto reads =
+      run(make_box(1), attack("reads", {"huge", (test_folder() / "scratch0/huge").string(),
+                                        (test_folder() / "scratch0").string()}));
   INFO(reads.output);
   if (one.user() != 0 || one.level() != Level::uid) CHECK(reads.status == 1);
 }

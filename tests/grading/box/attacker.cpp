@@ -1,5 +1,5 @@
-// Does what its first argument says, which is what no program may do in the box. It prints what came
-// of it, and exits with 0 if the attack has worked.
+// Does what its first argument says, which is what no program may do in the box. It prints what
+// came of it, and exits with 0 if the attack has worked.
 #include <fcntl.h>
 #include <netinet/in.h>
 #include <sched.h>
@@ -202,9 +202,9 @@ bool traces() {
   any |= told(syscall(SYS_process_vm_readv, getppid(), &local, 1, &remote, 1, 0) >= 0, "vm_readv");
   const std::string parent = "/proc/" + std::to_string(getppid());
   for (const char* what : {"/mem", "/environ", "/maps", "/fd/4", "/fd/0", "/root/etc", "/cwd/x"}) {
-    any |= told(open((parent + what).c_str(), O_RDWR) >= 0 ||
-                    open((parent + what).c_str(), O_RDONLY) >= 0,
-                what);
+    any |= told(
+        open((parent + what).c_str(), O_RDWR) >= 0 || open((parent + what).c_str(), O_RDONLY) >= 0,
+        what);
   }
   return any;
 }

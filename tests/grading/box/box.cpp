@@ -110,11 +110,26 @@ std::vector<std::string> Box::bubblewrap(const Errand& errand) const {
   std::vector<std::string> words;
   // Limits on processes are counted by user, and not at all for root.
   if (user_ != 0) append(words, {setting_.inside.string(), "become", std::to_string(user_), "--"});
-  append(words,
-         {bubblewrap_program, "--unshare-user", "--unshare-ipc", "--unshare-pid", "--unshare-net",
-          "--unshare-uts", "--unshare-cgroup-try", "--disable-userns", "--uid", "65534", "--gid",
-          "65534", "--hostname", "box", "--die-with-parent", "--new-session", "--as-pid-1",
-          "--cap-drop", "ALL", "--clearenv"});
+  append(words, {bubblewrap_program,
+                 "--unshare-user",
+                 "--unshare-ipc",
+                 "--unshare-pid",
+                 "--unshare-net",
+                 "--unshare-uts",
+                 "--unshare-cgroup-try",
+                 "--disable-userns",
+                 "--uid",
+                 "65534",
+                 "--gid",
+                 "65534",
+                 "--hostname",
+                 "box",
+                 "--die-with-parent",
+                 "--new-session",
+                 "--as-pid-1",
+                 "--cap-drop",
+                 "ALL",
+                 "--clearenv"});
   for (const auto& folder : system_folders(errand, setting_)) {
     if (fs::is_symlink(folder)) {
       append(words, {"--symlink", fs::read_symlink(folder).string(), folder.string()});
@@ -131,8 +146,8 @@ std::vector<std::string> Box::bubblewrap(const Errand& errand) const {
   if (errand.folder.empty()) {
     append(words, {"--size", size, "--tmpfs", "/tmp", "--symlink", "/tmp", inside_folder});
   } else {
-    append(words, {"--size", size, "--tmpfs", "/tmp", "--bind", errand.folder.string(),
-                   inside_folder});
+    append(words,
+           {"--size", size, "--tmpfs", "/tmp", "--bind", errand.folder.string(), inside_folder});
   }
   // The root itself is in memory, of any size: nothing is written there.
   append(words, {"--remount-ro", "/", "--", inside_program, "alone=1"});

@@ -12,9 +12,9 @@ namespace fos::grading {
 
 struct BoxSetting {
   Level level = Level::bubblewrap;
-  std::filesystem::path inside;  ///< the program fos_box_inside, where the box's user can read it
+  std::filesystem::path inside;    ///< the program fos_box_inside, where the box's user can read it
   std::filesystem::path compiler;  ///< the real path of the C++ compiler
-  int landlock_abi = 0;          ///< for tests: at most this version of Landlock
+  int landlock_abi = 0;            ///< for tests: at most this version of Landlock
 };
 
 inline constexpr const char* bubblewrap_program = "/usr/bin/bwrap";

@@ -6,6 +6,9 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <stdexcept>
+
+#include "grading/box/workshop_under_test.hpp"
 
 namespace fos::grading {
 
@@ -71,6 +74,13 @@ const std::optional<BoxSetting>& box_under_test() {
 
 Box make_box(unsigned slot) {
   return Box(*box_under_test(), slot, test_folder() / ("scratch" + std::to_string(slot)));
+}
+
+const Workshop& workshop_under_test() {
+  static Workshop shop(this_build(), test_folder() / "workshop");
+  static const bool precompiled = shop.precompile(make_box());
+  if (!precompiled) throw std::runtime_error("the headers are not precompiled");
+  return shop;
 }
 
 Errand attack(const std::string& what, const std::vector<std::string>& arguments) {

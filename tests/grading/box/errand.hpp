@@ -11,7 +11,7 @@ namespace fos::grading {
 /// What may be used. The processor time decides, not the clock: a busy machine fails nobody.
 struct BoxLimits {
   unsigned cpu_seconds = 10;  ///< for one question, or for the whole errand where there is none
-  std::uint64_t memory = 1ULL << 30;   ///< bytes, of all its processes together
+  std::uint64_t memory = 1ULL << 30;  ///< bytes, of all its processes together
   bool address_space = true;  ///< a process may reserve twice that; a sanitizer reserves terabytes
   std::uint64_t file_size = 8ULL << 20;  ///< bytes, of one file
   std::uint64_t written = 32ULL << 20;   ///< bytes, of all files
@@ -19,8 +19,8 @@ struct BoxLimits {
   unsigned idle_seconds = 10;  ///< for how long it may do nothing while it is waited for
 };
 
-/// A file or folder of ours that the box shows, for reading. Where the box has no file system of its
-/// own, it is seen where it is.
+/// A file or folder of ours that the box shows, for reading. Where the box has no file system of
+/// its own, it is seen where it is.
 struct Shown {
   std::filesystem::path host;  ///< absolute
   std::string inside;          ///< begins with /box/
@@ -34,7 +34,7 @@ struct Errand {
   /// Where it may write, and where it starts: an empty folder in memory if there is none. Made
   /// over to the box's user.
   std::filesystem::path folder;
-  bool compiler = false;   ///< needs the compiler and its headers, not only libraries
+  bool compiler = false;                 ///< needs the compiler and its headers, not only libraries
   std::vector<std::string> environment;  ///< NAME=VALUE, beside PATH, HOME and LC_ALL
   BoxLimits limits;
 };

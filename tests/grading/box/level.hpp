@@ -9,9 +9,10 @@ namespace fos::grading {
 /// From the strongest to none.
 enum class Level {
   bubblewrap,  ///< namespaces of its own: no other files, processes or network are there
-  landlock,    ///< files fenced by the kernel's Landlock, system calls filtered; a user of its own if root
-  uid,         ///< a user of its own and filtered system calls; only root can
-  none         ///< limits, and nothing that keeps evil in
+  landlock,  ///< files fenced by the kernel's Landlock, system calls filtered; a user of its own if
+             ///< root
+  uid,       ///< a user of its own and filtered system calls; only root can
+  none       ///< limits, and nothing that keeps evil in
 };
 inline constexpr Level levels[] = {Level::bubblewrap, Level::landlock, Level::uid, Level::none};
 

@@ -68,8 +68,8 @@ ProbeResult probe(const ProbeSetting& setting) {
   ProbeResult result;
   for (const Level level : levels) {
     if (setting.only && level != *setting.only) continue;
-    const std::string why = level == Level::none && !setting.unsafe ? say(text::box_unsafe_only)
-                                                                    : flaw(setting, level);
+    const std::string why =
+        level == Level::none && !setting.unsafe ? say(text::box_unsafe_only) : flaw(setting, level);
     if (why.empty()) {
       result.level = level;
       break;

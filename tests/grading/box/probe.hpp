@@ -22,7 +22,7 @@ struct ProbeResult {
 };
 
 struct ProbeSetting {
-  BoxSetting box;  ///< its `level` is not looked at
+  BoxSetting box;                 ///< its `level` is not looked at
   std::filesystem::path scratch;  ///< a folder for trials, where the box's user can come
   /// What no program in the box may read: references, solutions, submissions, results.
   std::vector<std::filesystem::path> secrets;

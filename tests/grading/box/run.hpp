@@ -24,18 +24,18 @@ enum class RunEnding {
 struct RunResult {
   RunEnding ending = RunEnding::infrastructure;
   int status = 0;
-  unsigned step = 0;  ///< infrastructure: where it failed, an inside::Step; 0 if it is not known
+  unsigned step = 0;   ///< infrastructure: where it failed, an inside::Step; 0 if it is not known
   std::string output;  ///< standard output and error together, up to the cap; for infrastructure,
                        ///< what the box said
-  double cpu_seconds = 0;  ///< of all its processes
+  double cpu_seconds = 0;         ///< of all its processes
   std::uint64_t peak_memory = 0;  ///< bytes
 
   bool succeeded() const { return ending == RunEnding::exited && status == 0; }
 };
 
 struct RunLimits {
-  std::size_t output = 64 * 1024;  ///< bytes; what prints more is ended
-  bool cut = false;                ///< it is not: the rest is dropped
+  std::size_t output = 64 * 1024;                             ///< bytes; what prints more is ended
+  bool cut = false;                                           ///< it is not: the rest is dropped
   std::chrono::milliseconds wall = std::chrono::minutes(10);  ///< for what escapes all else
 };
 

@@ -77,15 +77,15 @@ bool measure(int folder, std::uint64_t& bytes_left, unsigned& files_left) {
   while (const dirent* entry = within ? readdir(entries) : nullptr) {
     const std::string name = entry->d_name;
     if (name == "." || name == "..") continue;
-    struct stat status{};
+    struct stat status {};
     if (fstatat(dirfd(entries), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0) continue;
     const auto bytes = static_cast<std::uint64_t>(status.st_blocks) * 512;
     within = files_left-- > 0 && bytes <= bytes_left;
     if (!within) break;
     bytes_left -= bytes;
     if (!S_ISDIR(status.st_mode)) continue;
-    const int below = openat(dirfd(entries), name.c_str(),
-                             O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    const int below =
+        openat(dirfd(entries), name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
     if (below >= 0) within = measure(below, bytes_left, files_left);
     within = within && (below >= 0 || errno != EACCES);  // what is hidden counts as too much
   }
@@ -124,8 +124,8 @@ Census Counter::count() {
 std::uint64_t Counter::cpu() const {
   rusage waited_for{};
   getrusage(RUSAGE_CHILDREN, &waited_for);
-  return std::max(added_, alive_ + microseconds(waited_for.ru_utime) +
-                              microseconds(waited_for.ru_stime));
+  return std::max(added_,
+                  alive_ + microseconds(waited_for.ru_utime) + microseconds(waited_for.ru_stime));
 }
 
 rlim_t threads_of_user() {
@@ -134,7 +134,7 @@ rlim_t threads_of_user() {
   if (processes == nullptr) return threads;
   while (const dirent* entry = readdir(processes)) {
     if (entry->d_name[0] < '1' || entry->d_name[0] > '9') continue;
-    struct stat status{};
+    struct stat status {};
     const std::string tasks = std::string(entry->d_name) + "/task";
     if (fstatat(dirfd(processes), tasks.c_str(), &status, 0) != 0) continue;
     if (status.st_uid == getuid()) threads += status.st_nlink - 2;  // a folder for each thread
@@ -147,7 +147,7 @@ bool holds_more_than(const std::string& folder, std::uint64_t bytes) {
   const int opened = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (opened < 0) return false;
   unsigned files = 4096;
-  struct statfs system{};
+  struct statfs system {};
   if (fstatfs(opened, &system) == 0 && system.f_type == TMPFS_MAGIC && system.f_files > 0) {
     close(opened);  // a file system of its own, which keeps count
     return system.f_files - system.f_ffree > files ||

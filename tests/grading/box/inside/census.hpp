@@ -12,7 +12,7 @@ namespace fos::grading::inside {
 
 struct Census {
   unsigned processes = 0;
-  std::uint64_t memory = 0;  ///< bytes
+  std::uint64_t memory = 0;   ///< bytes
   bool wants_to_run = false;  ///< one of them runs, waits for a processor, or for a disk
 };
 
@@ -31,7 +31,7 @@ class Counter {
   pid_t session_;
   std::map<pid_t, std::uint64_t> seen_;  // what each had used when last counted
   std::uint64_t added_ = 0;              // what was seen to be used, from count to count
-  std::uint64_t alive_ = 0;              // what the living have used, with their waited-for children
+  std::uint64_t alive_ = 0;  // what the living have used, with their waited-for children
 };
 
 /// How many threads this user has, in all.

@@ -37,8 +37,8 @@ bool set_limits(const Settings& settings) {
   return limit(RLIMIT_CPU, settings.cpu_seconds, 1) &&
          (settings.address_space == 0 || limit(RLIMIT_AS, settings.address_space)) &&
          limit(RLIMIT_FSIZE, settings.file_size) && limit(RLIMIT_NOFILE, settings.descriptors) &&
-         limit(RLIMIT_NPROC, threads_before + settings.processes) &&
-         limit(RLIMIT_CORE, 0) && limit(RLIMIT_MEMLOCK, 1 << 16) && limit(RLIMIT_MSGQUEUE, 0) &&
+         limit(RLIMIT_NPROC, threads_before + settings.processes) && limit(RLIMIT_CORE, 0) &&
+         limit(RLIMIT_MEMLOCK, 1 << 16) && limit(RLIMIT_MSGQUEUE, 0) &&
          limit(RLIMIT_STACK, 64 << 20);
 }
 

@@ -27,7 +27,7 @@ struct Ruleset {
   std::uint64_t network;  // version 4
   std::uint64_t scope;    // version 6
 };
-constexpr std::uint64_t both_directions = 3;   // bind and connect of TCP
+constexpr std::uint64_t both_directions = 3;  // bind and connect of TCP
 constexpr std::uint64_t sockets_and_signals = 3;
 
 /// Of a file, only the accesses that a file has are taken.
@@ -35,7 +35,7 @@ bool add(int rules, const char* path, std::uint64_t accesses) {
   landlock_path_beneath_attr rule{};
   rule.parent_fd = open(path, O_PATH | O_CLOEXEC);
   if (rule.parent_fd < 0) return false;
-  struct stat status{};
+  struct stat status {};
   const bool known = fstat(rule.parent_fd, &status) == 0;
   rule.allowed_access = known && S_ISDIR(status.st_mode) ? accesses : accesses & of_files;
   const long added = syscall(SYS_landlock_add_rule, rules, LANDLOCK_RULE_PATH_BENEATH, &rule, 0);
@@ -46,8 +46,8 @@ bool add(int rules, const char* path, std::uint64_t accesses) {
 }  // namespace
 
 int landlock_version(int most) {
-  const long version = syscall(SYS_landlock_create_ruleset, nullptr, 0,
-                               LANDLOCK_CREATE_RULESET_VERSION);
+  const long version =
+      syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION);
   if (version <= 0) return 0;
   return static_cast<int>(most > 0 ? std::min<long>(version, most) : version);
 }

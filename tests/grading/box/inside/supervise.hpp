@@ -1,5 +1,5 @@
-// The supervisor of one program in the box: process 1 of its namespace where there is one. It starts
-// the program, watches what it uses, ends it, and says how it ended (fos/supervision.hpp).
+// The supervisor of one program in the box: process 1 of its namespace where there is one. It
+// starts the program, watches what it uses, ends it, and says how it ended (fos/supervision.hpp).
 #pragma once
 
 #include "settings.hpp"

@@ -19,7 +19,7 @@ bool can_read(const char* path) {
   const int file = open(path, O_RDONLY | O_CLOEXEC);
   if (file < 0) return false;
   char byte = 0;
-  struct stat status{};
+  struct stat status {};
   const bool folder = fstat(file, &status) == 0 && S_ISDIR(status.st_mode);
   return folder || read(file, &byte, 1) >= 0;
 }

