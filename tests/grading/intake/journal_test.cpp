@@ -153,8 +153,8 @@ TEST_CASE("two thousand results are there again at once") {
   const std::clock_t began = std::clock();
   journal.load();
   const double seconds = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
-  UNSCOPED_INFO("2,000 results of " << to_json(sample_result("a")).size() / 1024 << " KiB: " << seconds
-                           << " s of CPU time");
+  UNSCOPED_INFO("2,000 results of " << to_json(sample_result("a")).size() / 1024
+                                    << " KiB: " << seconds << " s of CPU time");
   CHECK(seconds < 2);
   CHECK(journal.is_finished("s0", "k"));
   CHECK(journal.is_finished("s1999", "k"));
