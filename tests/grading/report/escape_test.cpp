@@ -2,6 +2,7 @@
 
 #include "catch2.hpp"
 #include "clean_text.hpp"
+#include "markup_writer.hpp"
 
 using namespace fos::grading;
 
@@ -16,7 +17,10 @@ TEST_CASE("Text is cleaned: valid, in lines, without what a terminal obeys") {
   CHECK(clean("\xC3\x28") == "\uFFFD(");
   CHECK(clean("\xED\xA0\x80") == "\uFFFD\uFFFD\uFFFD");
   CHECK(clean("\xF4\x90\x80\x80") == "\uFFFD\uFFFD\uFFFD\uFFFD");
-  CHECK(clean("\xC0\xAF\xE0\x80\x80\xF0\x80\x80\x80").find('/') == std::string::npos);
+  // A slash in two, three and four bytes.
+  CHECK(clean("\xC0\xAF") == "\uFFFD\uFFFD");
+  CHECK(clean("\xE0\x80\xAF") == "\uFFFD\uFFFD\uFFFD");
+  CHECK(clean("\xF0\x80\x80\xAF") == "\uFFFD\uFFFD\uFFFD\uFFFD");
   CHECK(clean("\xE2\x82") == "\uFFFD\uFFFD");
   CHECK(clean("\U0010FFFD é €") == "\U0010FFFD é €");
   CHECK(one_line(" a \n\t b\r\n") == "a b");
@@ -27,6 +31,13 @@ TEST_CASE("Text is cleaned: valid, in lines, without what a terminal obeys") {
 TEST_CASE("HTML and XML") {
   CHECK(markup("<a href=\"x\" b='y'>&`") == "&lt;a href=&quot;x&quot; b=&#39;y&#39;&gt;&amp;&#96;");
   CHECK(markup("\uFFFF\x01") == "\uFFFD␁");
+}
+
+TEST_CASE(
+    "A writer of markup keeps the line ends of an attribute, which a reader would make spaces") {
+  MarkupWriter out;
+  out.raw("<a").attribute("b", "x\n\"y\t").raw(">").text("<\n").raw("</a>").element("c", "");
+  CHECK(out.str() == "<a b=\"x&#10;&quot;y&#9;\">&lt;\n</a>");
 }
 
 TEST_CASE("An address is a file beside the page") {
