@@ -7,20 +7,29 @@
 
 #include "fos/progress.hpp"
 #include "fos/text.hpp"
+#include "grading/intake/result_json.hpp"
 
 namespace fos::grading {
 
-Tally grade_class(const ClassFiles& hand_ins, const std::vector<std::string>& keys,
-                  const Course& course, Journal& journal, const GradeOptions& options,
-                  const std::atomic<bool>& stop) {
+bool complete(SubmissionResult& result, const Entry& entry) {
+  const SubmissionResult before = result;
+  result.name = entry.whose.name;
+  result.username = entry.whose.username;
+  result.email = entry.whose.email;
+  result.overrides = entry.overrides;
+  return to_json(result) != to_json(before);
+}
+
+Tally ClassRun::grade(const ClassFiles& hand_ins, const std::vector<Entry>& entries,
+                      Journal& journal, const std::atomic<bool>& stop) const {
   Tally tally;
   std::vector<std::size_t> left;
   for (std::size_t i = 0; i < hand_ins.size(); ++i) {
-    if (!journal.is_finished(hand_ins.whose(i).id, keys[i])) left.push_back(i);
+    if (!journal.is_finished(entries[i].whose.id, entries[i].key)) left.push_back(i);
   }
   tally.finished_before = hand_ins.size() - left.size();
 
-  const ReportSettings settings{options.formats};
+  const ReportSettings settings{options_.formats};
   std::mutex busy;
   Progress progress(say(text::grade_progress), static_cast<long>(left.size()));
   std::size_t next = 0;
@@ -40,15 +49,16 @@ Tally grade_class(const ClassFiles& hand_ins, const std::vector<std::string>& ke
   };
   const auto work = [&](unsigned slot) {
     try {
-      SubmissionGrader grader(course, slot, scratch / std::to_string(slot));
+      SubmissionGrader grader(course_, slot, scratch_ / std::to_string(slot));
       HandIn hand_in;
       for (std::size_t place = 0; take(hand_in, place);) {
-        const auto pictures = submission_folder(options.output, hand_in.whose.id);
+        const auto pictures = submission_folder(options_.output, hand_in.whose.id);
         SubmissionResult result = grader.grade(hand_in, pictures, wait);
-        result.key = keys[place];
+        result.key = entries[place].key;
+        complete(result, entries[place]);
         const std::scoped_lock lock(busy);  // one file is written at a time
         journal.write(result);
-        write_submission_files(options.output, run, result, settings);
+        write_submission_files(options_.output, run_, result, settings);
         if (result.status == Status::not_judged) ++tally.not_judged;
         progress.update(static_cast<long>(++tally.graded));
       }
@@ -61,13 +71,29 @@ Tally grade_class(const ClassFiles& hand_ins, const std::vector<std::string>& ke
   {
     const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
     const auto jobs =
-        std::min<std::size_t>(options.jobs == 0 ? processors : options.jobs, left.size());
+        std::min<std::size_t>(options_.jobs == 0 ? processors : options_.jobs, left.size());
     std::vector<std::jthread> workers;
     for (unsigned slot = 0; slot < jobs; ++slot) workers.emplace_back(work, slot);
   }
   if (failure) std::rethrow_exception(failure);
   if (stop) throw Interrupted();
   return tally;
+}
+
+std::vector<std::string> ClassRun::report(const std::vector<Entry>& entries,
+                                          Journal& journal) const {
+  const ReportSettings settings{options_.formats};
+  std::vector<Summary> all;
+  for (const Entry& entry : entries) {
+    auto result = journal.read(entry.whose.id);
+    if (!result) continue;
+    if (complete(*result, entry)) {
+      journal.write(*result);
+      write_submission_files(options_.output, run_, *result, settings);
+    }
+    all.push_back(summarize(*result));
+  }
+  return write_class_files(options_.output, run_, all, settings);
 }
 
 }  // namespace fos::grading

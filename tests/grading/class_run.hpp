@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "grade_options.hpp"
-#include "grading/intake/class_files.hpp"
+#include "grading/intake/intake.hpp"
 #include "grading/intake/journal.hpp"
 #include "grading/report/report_files.hpp"
 #include "submission_grader.hpp"
@@ -23,11 +23,38 @@ struct Tally {
 /// Thrown by what waits when the run is to end early (Ctrl-C).
 struct Interrupted {};
 
-/// Grades what the journal does not have yet. Each result is on the disk as soon as it is there, so
-/// a run that ends early loses only what is at hand. Throws Interrupted soon after `stop` is set,
-/// and FileError where results cannot be written any more.
-Tally grade_class(const ClassFiles& hand_ins, const std::vector<std::string>& keys,
-                  const Course& course, Journal& journal, const GradeOptions& options,
-                  const std::atomic<bool>& stop);
+/// What is known of one hand-in besides its files.
+struct Entry {
+  Whose whose;  ///< with what a roster says
+  std::string key;
+  std::vector<Override> overrides;
+};
+
+/// Puts what is known of a hand-in into its result; whether that changes it.
+bool complete(SubmissionResult& result, const Entry& entry);
+
+/// Grades what the journal does not have yet; `entries` are those of the hand-ins. Each result is
+/// on the disk as soon as it is there, with its pages, so a run that ends early loses only what is
+/// at hand. Throws Interrupted soon after `stop` is set, and FileError where results cannot be
+/// written any more.
+class ClassRun {
+ public:
+  ClassRun(const Course& course, const GradeOptions& options, const Run& run,
+           std::filesystem::path scratch)
+      : course_(course), options_(options), run_(run), scratch_(std::move(scratch)) {}
+
+  Tally grade(const ClassFiles& hand_ins, const std::vector<Entry>& entries, Journal& journal,
+              const std::atomic<bool>& stop) const;
+
+  /// Of all entries, those that were graded before too: their pages where a roster or an override
+  /// has changed them, and the files of the class. What platforms would refuse, in words.
+  std::vector<std::string> report(const std::vector<Entry>& entries, Journal& journal) const;
+
+ private:
+  const Course& course_;
+  const GradeOptions& options_;
+  const Run& run_;
+  std::filesystem::path scratch_;
+};
 
 }  // namespace fos::grading

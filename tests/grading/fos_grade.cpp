@@ -9,6 +9,7 @@
 #include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <random>
 
@@ -18,10 +19,13 @@
 #include "grade_options.hpp"
 #include "grading/box/probe.hpp"
 #include "grading/box/workshop.hpp"
-#include "grading/intake/class_files.hpp"
+#include "grading/intake/csv.hpp"
+#include "grading/intake/intake.hpp"
 #include "grading/intake/journal.hpp"
+#include "grading/intake/overrides.hpp"
 #include "grading/intake/result_json.hpp"
 #include "grading/intake/result_key.hpp"
+#include "grading/intake/roster.hpp"
 #include "toolkit_version.hpp"
 
 namespace {
@@ -94,6 +98,28 @@ BoxSetting find_box(const GradeOptions& options, const Workshop& workshop,
   return setting.box;
 }
 
+/// Each hand-in with its key, its student and its instructor's marks.
+std::vector<Entry> entries_of(const ClassFiles& hand_ins, const GradeOptions& options,
+                              const std::function<std::string(const HandIn&)>& key) {
+  std::vector<Whose> people;
+  for (std::size_t i = 0; i < hand_ins.size(); ++i) people.push_back(hand_ins.whose(i));
+  if (!options.roster.empty()) {
+    for (const std::string& line : match(read_roster(options.roster), people).words) {
+      std::cerr << line << '\n';
+    }
+  }
+  Overrides overrides;
+  if (!options.overrides.empty()) {
+    overrides = read_overrides(options.overrides, stages);
+    check_overrides(overrides, people);
+  }
+  std::vector<Entry> entries;
+  for (std::size_t i = 0; i < people.size(); ++i) {
+    entries.push_back({people[i], key(hand_ins.read(i)), overrides_of(overrides, people[i])});
+  }
+  return entries;
+}
+
 int grade(const GradeOptions& options) {
   const ClassFiles hand_ins = read_class(options.path, stages);
   std::cerr << hand_ins.words() << '\n';
@@ -127,21 +153,13 @@ int grade(const GradeOptions& options) {
                 options.feedback,
                 now()};
   write_whole_file(options.output / "run.json", to_json(run));
-  std::vector<std::string> keys;
-  for (std::size_t i = 0; i < hand_ins.size(); ++i) {
-    keys.push_back(result_key(hand_ins.read(i), run.seed, run.toolkit, settings));
-  }
-  const Tally tally =
-      grade_class(hand_ins, keys, course, journal, options, run, work.path(), interrupted);
-
-  std::vector<Summary> all;
-  for (std::size_t i = 0; i < hand_ins.size(); ++i) {
-    if (const auto result = journal.read(hand_ins.whose(i).id)) all.push_back(summarize(*result));
-  }
-  for (const std::string& refused :
-       write_class_files(options.output, run, all, {options.formats})) {
+  const std::vector<Entry> entries = entries_of(hand_ins, options, [&](const HandIn& hand_in) {
+    return result_key(hand_in, run.seed, run.toolkit, settings);
+  });
+  const ClassRun class_run(course, options, run, work.path());
+  const Tally tally = class_run.grade(hand_ins, entries, journal, interrupted);
+  for (const std::string& refused : class_run.report(entries, journal))
     std::cerr << refused << '\n';
-  }
   std::cout << say(text::grade_done,
                    {std::to_string(tally.graded), std::to_string(tally.finished_before),
                     std::to_string(run.seed), (options.output / "index.html").string()})
@@ -165,6 +183,9 @@ int main(int argc, char** argv) {
   } catch (const IntakeError& error) {
     std::cerr << "lab: " << error.what() << '\n';
     return error.exit_status;
+  } catch (const TableError& error) {
+    std::cerr << error.what() << '\n';
+    return 2;
   } catch (const FileError& error) {
     std::cerr << "lab: " << error.what() << '\n';
     return error.exit_status;

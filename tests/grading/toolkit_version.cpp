@@ -7,7 +7,7 @@
 
 #include "fos/text.hpp"
 #include "fos/whole_file.hpp"
-#include "grading/intake/sha256.hpp"
+#include "grading/intake/digest.hpp"
 
 namespace fos::grading {
 
