@@ -53,7 +53,10 @@ struct Ends {
   if (ends.printed >= 0) dup2(ends.printed, 1);
   if (ends.printed >= 0) dup2(ends.printed, 2);
   dup2(ends.frames, 3);
-  if (ends.supervision >= 0) dup2(ends.supervision, supervision::descriptor);
+  if (ends.supervision >= 0) {
+    dup2(ends.supervision, supervision::descriptor);
+    setpgid(0, 0);  // Ctrl-C is for the asker, who ends it in his own way
+  }
   execv(words[0], words);
   const int error = errno;
   [[maybe_unused]] const ssize_t told = write(ends.errors, &error, sizeof(error));

@@ -63,6 +63,37 @@ std::string own_pid() { return std::to_string(getpid()); }
 
 }  // namespace
 
+TEST_CASE("outside the box the attacks work") {
+  const Bystander bystander;
+  const auto outside = [](const std::string& what, const std::string& argument) {
+    const std::string program = attack("").shown[0].host.string();
+    return std::system((program + " \"" + what + "\" " + argument + " >/dev/null 2>&1").c_str());
+  };
+  CHECK(outside("reads", secret_file().string()) == 0);
+  CHECK(outside("connects", "9") == 0);
+  CHECK(outside("sees processes", bystander.pid()) == 0);
+  CHECK(outside("limits others", bystander.pid()) == 0);
+  CHECK(outside("kills", bystander.pid()) == 0);
+  CHECK(outside("lists environment", "") == 0);
+}
+
+TEST_CASE("a level in which a secret can be read is not taken") {
+  FOS_NEEDS_BOX();
+  ProbeSetting setting;
+  setting.box = *box_under_test();
+  setting.only = setting.box.level;
+  setting.scratch = test_folder() / "probe";
+  setting.secrets = {"/usr/lib"};
+  const auto result = probe(setting);
+  CHECK_FALSE(result.level);
+  REQUIRE(result.not_had.size() == 1);
+  CHECK_THAT(result.not_had[0].why, ContainsSubstring("/usr/lib"));
+  setting.only = Level::none;
+  CHECK_FALSE(probe(setting).level);
+  setting.unsafe = true;
+  CHECK(probe(setting).level == Level::none);
+}
+
 TEST_CASE("it reads nothing that is not shown") {
   FOS_NEEDS_BOX();
   std::vector<std::string> paths{secret_file().string()};

@@ -19,6 +19,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <functional>
 #include <map>
 #include <string>
@@ -157,6 +158,14 @@ bool spins_in_many() {
     }
     while (child > 0 && kill(child, 0) == 0) usleep(1000);
     if (child < 0) usleep(1000);
+  }
+  return true;
+}
+
+/// No attack: half a second of processor time.
+bool computes() {
+  const clock_t end = clock() + CLOCKS_PER_SEC / 2;
+  while (clock() < end) {
   }
   return true;
 }
@@ -300,6 +309,7 @@ const std::map<std::string, std::function<bool()>> attacks{
     {"takes memory in many", takes_memory_in_many},
     {"spins", spins},
     {"spins in many", spins_in_many},
+    {"computes", computes},
     {"sleeps", sleeps},
     {"dozes", dozes},
     {"floods", floods},

@@ -89,7 +89,7 @@ std::optional<Level> level_named(std::string_view word) {
 
 Box::Box(BoxSetting setting, unsigned slot, fs::path scratch)
     : setting_(std::move(setting)),
-      user_(geteuid() == 0 && setting_.level != Level::none ? first_user - slot : 0),
+      user_(geteuid() == 0 ? first_user - slot : 0),
       scratch_(std::move(scratch)) {
   fs::create_directories(scratch_);
   fs::permissions(scratch_, fs::perms::owner_all);
@@ -176,7 +176,7 @@ std::vector<std::string> Box::supervisor(const Errand& errand) const {
   } else {
     append(words, {"shared-user=1"});
   }
-  if (setting_.level == Level::none) append(words, {"unfiltered=1"});
+  if (setting_.level == Level::none) append(words, {"lenient=1"});
   if (setting_.level == Level::landlock) {
     append(words, {"landlock=" + std::to_string(setting_.landlock_abi)});
     for (const auto& system : system_folders(errand, setting_)) {

@@ -12,7 +12,7 @@ enum class Level {
   landlock,  ///< files fenced by the kernel's Landlock, system calls filtered; a user of its own if
              ///< root
   uid,       ///< a user of its own and filtered system calls; only root can
-  none       ///< limits, and nothing that keeps evil in
+  none       ///< limits, and nothing that is sure to keep evil in
 };
 inline constexpr Level levels[] = {Level::bubblewrap, Level::landlock, Level::uid, Level::none};
 

@@ -114,8 +114,13 @@ class Running {
     for (auto& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     std::array<char*, 1> environment{nullptr};
-    const int error = posix_spawn(&process_, arguments[0], &actions, nullptr, arguments.data(),
+    // Ctrl-C is for the grader, who ends it in his own way.
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    const int error = posix_spawn(&process_, arguments[0], &actions, &attributes, arguments.data(),
                                   environment.data());
+    posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     if (error != 0) {
       process_ = -1;

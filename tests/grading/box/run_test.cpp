@@ -3,9 +3,12 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <stdexcept>
+#include <thread>
+#include <vector>
 
 #include "catch2.hpp"
 #include "grading/box/box_under_test.hpp"
@@ -60,6 +63,29 @@ TEST_CASE("a program that does nothing is ended, and so is one that nearly does 
   CHECK(run(box, attack("sleeps")).ending == RunEnding::out_of_time);
   CHECK(run(box, attack("dozes")).ending == RunEnding::out_of_time);
   CHECK(std::chrono::steady_clock::now() - start < 30s);
+}
+
+TEST_CASE("a busy machine fails nobody") {
+  FOS_NEEDS_BOX();
+  const Box box = make_box();
+  std::atomic<bool> stop{false};
+  std::vector<std::thread> others(16 * std::thread::hardware_concurrency());
+  for (auto& other : others) {
+    other = std::thread([&stop] {
+      while (!stop) {
+      }
+    });
+  }
+  Errand computes = attack("computes");
+  computes.limits.cpu_seconds = 1;
+  computes.limits.idle_seconds = 1;
+  const auto start = std::chrono::steady_clock::now();
+  const auto result = run(box, computes);
+  const auto wall = std::chrono::steady_clock::now() - start;
+  stop = true;
+  for (auto& other : others) other.join();
+  CHECK(result.succeeded());
+  if (wall < 2s) WARN("the program was not starved here");
 }
 
 TEST_CASE("the clock ends what escapes all else") {

@@ -15,7 +15,7 @@ bool read_number(std::string_view text, Number& number) {
 bool set(std::string_view name, std::string_view value, Settings& to) {
   if (name == "alone") return to.alone = true;
   if (name == "landlock") return (to.landlock = true) && read_number(value, to.landlock_abi);
-  if (name == "unfiltered") return !(to.filter = false);
+  if (name == "lenient") return to.lenient = true;
   if (name == "shared-user") return to.shared_user = true;
   if (name == "user") return read_number(value, to.user);
   if (name == "cpu") return read_number(value, to.cpu_seconds);

@@ -14,7 +14,7 @@ struct Settings {
   bool alone = false;        ///< namespaces stand around it: it is process 1, and sees no other
   bool landlock = false;     ///< files are fenced by Landlock: `read`, `write`, `device`
   int landlock_abi = 0;      ///< at most this version of it (for tests); 0: whatever there is
-  bool filter = true;        ///< system calls are filtered
+  bool lenient = false;      ///< it starts also where the kernel does not filter system calls
   bool shared_user = false;  ///< the user has other processes, which are in reach
   uid_t user = 0;            ///< to become, with a group of the same number; 0: stay
 
