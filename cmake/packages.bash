@@ -5,6 +5,7 @@
 declare -A PACKAGES=(
   [build]="g++ cmake ninja-build libglm-dev libfmt-dev tao-pegtl-dev libopenimageio-dev openimageio-tools zlib1g-dev fonts-dejavu-core"
   [test]="catch2 libmpfi-dev libgmp-dev libmpfr-dev libhwy-dev"
+  [grade]="libzip-dev libmd-dev nlohmann-json3-dev"
   [plot]="gnuplot-nox"
   [check]="clang clang-format clang-tidy libclang-rt-dev shellcheck chromium chromium-driver"
 )

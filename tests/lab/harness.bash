@@ -32,7 +32,7 @@ make_tree() {
     echo "the stub of $stage" | tee "$TREE/labs/$stage.cpp" >"$TREE/tests/check/shipped/$stage.cpp"
   done
   for name in g++ cmake ninja-build libglm-dev libfmt-dev tao-pegtl-dev libopenimageio-dev openimageio-tools \
-    fonts-dejavu-core catch2 libmpfi-dev libgmp-dev libmpfr-dev libhwy-dev zlib1g-dev gnuplot-nox clang clang-format \
+    fonts-dejavu-core catch2 libmpfi-dev libgmp-dev libmpfr-dev libhwy-dev zlib1g-dev libzip-dev libmd-dev nlohmann-json3-dev gnuplot-nox clang clang-format \
     clang-tidy libclang-rt-dev shellcheck chromium chromium-driver; do
     touch "$STATE/installed-$name"
   done
