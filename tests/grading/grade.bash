@@ -2,8 +2,12 @@
 # it uses.
 
 grade() {
+  (($#)) || fail 2 lab_grade_needs_path
   set_up build test grade
-  is_configured_with_tests || configure -DFOS_TESTS=ON
-  build "$BUILD" fos_grade fos_picture fos_box_inside || fail 3 lab_no_grade_program
+  knows_grading || configure -DFOS_TESTS=ON
+  build "$BUILD" fos_grade fos_picture || fail 3 lab_no_grade_program
   exec "$BUILD/bin/fos_grade" --root "$ROOT" --build "$BUILD" "$@"
 }
+
+# knows_grading: the build folder was made where all packages were there.
+knows_grading() { is_configured_with_tests && [[ $(<"$BUILD/CMakeCache.txt") != *FOS_ZIP_HEADERS-NOTFOUND* ]]; }

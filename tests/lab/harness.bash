@@ -32,9 +32,8 @@ make_tree() {
     echo "the stub of $stage" | tee "$TREE/labs/$stage.cpp" >"$TREE/tests/check/shipped/$stage.cpp"
   done
   for name in g++ cmake ninja-build libglm-dev libfmt-dev tao-pegtl-dev libopenimageio-dev openimageio-tools \
-    fonts-dejavu-core catch2 libmpfi-dev libgmp-dev libmpfr-dev libhwy-dev libzip-dev libmd-dev nlohmann-json3-dev bubblewrap libxml2-utils zlib1g-dev gnuplot-nox clang clang-format \
-    clang-tidy libclang-rt-dev shellcheck chromium chromium-driver nlohmann-json3-dev \
-    libxml2-utils; do
+    fonts-dejavu-core catch2 libmpfi-dev libgmp-dev libmpfr-dev libhwy-dev zlib1g-dev libzip-dev libmd-dev nlohmann-json3-dev gnuplot-nox clang clang-format \
+    clang-tidy libclang-rt-dev shellcheck chromium chromium-driver bubblewrap libxml2-utils; do
     touch "$STATE/installed-$name"
   done
   touch "$STATE/lists" "$STATE/network"
