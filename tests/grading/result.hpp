@@ -15,7 +15,7 @@
 
 namespace fos::grading {
 
-inline constexpr std::size_t most_text = 8 * 1024;
+inline constexpr std::size_t most_text = 8UL * 1024;
 
 enum class Status {
   passed,

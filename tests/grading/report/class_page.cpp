@@ -41,13 +41,13 @@ void add_facts(MarkupWriter& out, const ClassStatistics& numbers) {
 void add_stages(MarkupWriter& out, const ClassStatistics& numbers) {
   out.element("h2", say(text::report_by_stage));
   out.raw("\n<div class=\"scroll\"><table id=\"stages\"><thead><tr>");
-  out.raw("<th scope=\"col\">").text(say(text::report_stage)).raw("</th>");
-  out.raw("<th scope=\"col\">").text(say(text::report_mean_points)).raw("</th>");
+  out.raw(R"(<th scope="col">)").text(say(text::report_stage)).raw("</th>");
+  out.raw(R"(<th scope="col">)").text(say(text::report_mean_points)).raw("</th>");
   const bool unjudged =
       std::any_of(numbers.stages.begin(), numbers.stages.end(),
                   [](const StageStatistics& stage) { return stage.not_judged > 0; });
   const auto heading = [&](const Text& words) {
-    out.raw("<th scope=\"col\" class=\"number\">").text(say(words)).raw("</th>");
+    out.raw(R"(<th scope="col" class="number">)").text(say(words)).raw("</th>");
   };
   heading(text::report_passed);
   heading(text::report_partly);
@@ -55,13 +55,13 @@ void add_stages(MarkupWriter& out, const ClassStatistics& numbers) {
   if (unjudged) heading(text::report_not_judged);
   out.raw("</tr></thead>\n<tbody>\n");
   for (const StageStatistics& stage : numbers.stages) {
-    out.raw("<tr><th scope=\"row\">").text(stage_title(stage.stage)).raw("</th><td>");
+    out.raw(R"(<tr><th scope="row">)").text(stage_title(stage.stage)).raw("</th><td>");
     out.text(rounded(stage.mean) + " / " + points_text(stage.most));
     add_meter(out, static_cast<int>(stage.mean), stage.most);
-    out.raw("</td><td class=\"number good\">").number(stage.all_right);
-    out.raw("</td><td class=\"number part\">").number(stage.partly);
-    out.raw("</td><td class=\"number bad\">").number(stage.nothing);
-    if (unjudged) out.raw("</td><td class=\"number none\">").number(stage.not_judged);
+    out.raw(R"(</td><td class="number good">)").number(stage.all_right);
+    out.raw(R"(</td><td class="number part">)").number(stage.partly);
+    out.raw(R"(</td><td class="number bad">)").number(stage.nothing);
+    if (unjudged) out.raw(R"(</td><td class="number none">)").number(stage.not_judged);
     out.raw("</td></tr>\n");
   }
   out.raw("</tbody></table></div>\n");
@@ -73,19 +73,19 @@ void add_mistakes(MarkupWriter& out, const ClassStatistics& numbers) {
     out.element("p", say(text::report_no_mistakes)).raw("\n");
     return;
   }
-  out.raw("<div class=\"scroll\"><table id=\"mistakes\"><thead><tr>");
-  out.raw("<th scope=\"col\">").text(say(text::report_mistake)).raw("</th>");
-  out.raw("<th scope=\"col\">").text(say(text::report_stage)).raw("</th>");
-  out.raw("<th scope=\"col\" class=\"number\">").text(say(text::report_count));
+  out.raw(R"(<div class="scroll"><table id="mistakes"><thead><tr>)");
+  out.raw(R"(<th scope="col">)").text(say(text::report_mistake)).raw("</th>");
+  out.raw(R"(<th scope="col">)").text(say(text::report_stage)).raw("</th>");
+  out.raw(R"(<th scope="col" class="number">)").text(say(text::report_count));
   out.raw("</th></tr></thead>\n<tbody>\n");
   const std::size_t shown = std::min(most_mistakes, numbers.mistakes.size());
   for (std::size_t i = 0; i < shown; ++i) {
     const MistakeCount& one = numbers.mistakes[i];
-    out.raw("<tr><td><button type=\"button\"").attribute("data-filter", one.mistake).raw(">");
+    out.raw(R"(<tr><td><button type="button")").attribute("data-filter", one.mistake).raw(">");
     out.text(one.mistake)
-        .raw("</button></td><td class=\"whole-words\">")
+        .raw(R"(</button></td><td class="whole-words">)")
         .text(stage_title(one.stage));
-    out.raw("</td><td class=\"number\">").number(one.submissions).raw("</td></tr>\n");
+    out.raw(R"(</td><td class="number">)").number(one.submissions).raw("</td></tr>\n");
   }
   out.raw("</tbody></table></div>\n");
   if (shown < numbers.mistakes.size()) {

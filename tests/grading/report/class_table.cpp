@@ -22,17 +22,17 @@ bool is_marked(const Summary& one, const std::string& stage) {
 }
 
 void add_heading(MarkupWriter& out, const std::string& words) {
-  out.raw("<th scope=\"col\"><button type=\"button\">").text(words).raw("</button></th>");
+  out.raw(R"(<th scope="col"><button type="button">)").text(words).raw("</button></th>");
 }
 
 void add_heading(MarkupWriter& out, const std::string& words, int most) {
-  out.raw("<th scope=\"col\" class=\"number\"><button type=\"button\">").text(words);
+  out.raw(R"(<th scope="col" class="number"><button type="button">)").text(words);
   out.raw("</button><small>").text("/ " + points_text(most)).raw("</small></th>");
 }
 
 /// A number of points, colored; nothing to sort by where there is none.
 void add_points(MarkupWriter& out, int points, int most, bool judged, const std::string& why) {
-  out.raw("<td class=\"number\"").attribute("data-sort", judged ? std::to_string(points) : "");
+  out.raw(R"(<td class="number")").attribute("data-sort", judged ? std::to_string(points) : "");
   if (!why.empty()) out.attribute("title", why);
   out.raw("><span").attribute("class", tone(points, most, judged)).raw(">");
   out.text(judged ? points_text(points) : "–").raw("</span></td>");
@@ -63,7 +63,7 @@ void add_row(MarkupWriter& out, const Summary& one, const ClassStatistics& numbe
   std::string words = shown_name + "\n" + one.id + "\n" + one.username + "\n" + one.email;
   for (const StageSummary& stage : one.stages) words += "\n" + trouble(stage);
   out.raw("<tr").attribute("data-words", words + "\n" + remark);
-  out.raw("><th scope=\"row\"").attribute("data-sort", shown_name);
+  out.raw(R"(><th scope="row")").attribute("data-sort", shown_name);
   out.raw("><a").attribute("href", "submissions/" + address(one.id) + "/index.html").raw("><bdi>");
   out.text(shown_name).raw("</bdi></a></th><td").attribute("data-sort", one.username).raw("><bdi>");
   out.text(one.username).raw("</bdi></td>");
@@ -78,9 +78,9 @@ void add_class_table(MarkupWriter& out, std::span<const Summary> all,
                      const ClassStatistics& numbers) {
   out.raw("<section>\n").element("h2", say(text::report_all_submissions));
   out.raw("\n<div class=\"filter\" id=\"filter-box\" hidden><label>");
-  out.raw("<span class=\"dim\">").text(say(text::report_filter)).raw("</span>");
-  out.raw("<input id=\"filter\" type=\"search\" autocomplete=\"off\"></label>");
-  out.raw("<span id=\"shown\" role=\"status\"");
+  out.raw(R"(<span class="dim">)").text(say(text::report_filter)).raw("</span>");
+  out.raw(R"(<input id="filter" type="search" autocomplete="off"></label>)");
+  out.raw(R"(<span id="shown" role="status")");
   out.attribute("data-pattern", say(text::report_shown, {"{0}", "{1}"})).raw("></span></div>\n");
   out.element("p", "dim how", say(text::report_sort));
   out.raw("\n<div class=\"scroll\" tabindex=\"0\" role=\"region\"");

@@ -37,7 +37,7 @@ std::string without_formulas(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (at_begin && begins_formula(text.substr(i))) out += '\'';
     at_begin = (at_begin && text[i] == ' ') ||
-               std::string_view(",;|\"").find(text[i]) != std::string_view::npos;
+               std::string_view(R"(,;|")").find(text[i]) != std::string_view::npos;
     out += text[i];
   }
   return out;
@@ -105,8 +105,8 @@ std::string address(std::string_view text) {
 
 std::string csv_cell(std::string_view text) {
   const std::string cell = without_formulas(one_line(text));
-  if (cell.find_first_of(",;|\"'") == std::string::npos) return cell;
-  std::string out = "\"";
+  if (cell.find_first_of(R"(,;|"')") == std::string::npos) return cell;
+  std::string out = R"(")";
   for (const char c : cell) {
     if (c == '"') out += '"';
     out += c;

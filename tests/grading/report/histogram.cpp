@@ -11,7 +11,7 @@ namespace {
 constexpr long width = 600, base = 190, top = 25, step = width / 10, gap = 4;
 
 void add_label(MarkupWriter& out, long x, long y, std::string_view words) {
-  out.raw("<text text-anchor=\"middle\"").attribute("x", x).attribute("y", y);
+  out.raw(R"(<text text-anchor="middle")").attribute("x", x).attribute("y", y);
   out.raw(">").text(words).raw("</text>");
 }
 
@@ -30,7 +30,7 @@ void add_histogram(MarkupWriter& out, const std::array<int, 10>& tenths) {
     if (count == 0) continue;
     // A pixel at least: one of a thousand is not none.
     const long height = std::max(2L, count * (base - top) / tallest);
-    bars.raw("<rect class=\"bar\" rx=\"2\"").attribute("x", i * step + gap);
+    bars.raw(R"(<rect class="bar" rx="2")").attribute("x", i * step + gap);
     bars.attribute("y", base - height).attribute("width", step - 2 * gap);
     bars.attribute("height", height).raw(">").element("title", bar).raw("</rect>");
     add_label(bars, i * step + step / 2, base - height - 6, std::to_string(count));
@@ -39,8 +39,8 @@ void add_histogram(MarkupWriter& out, const std::array<int, 10>& tenths) {
     add_label(bars, std::clamp(i * step, 22L, width - 22), base + 20, std::to_string(i * 10));
   }
   add_label(bars, width / 2, base + 42, say(text::report_percent));
-  out.raw("<svg viewBox=\"0 0 600 240\" role=\"img\"").attribute("aria-label", words);
-  out.raw("><line class=\"axis\" x1=\"0\" x2=\"600\"").attribute("y1", base);
+  out.raw(R"(<svg viewBox="0 0 600 240" role="img")").attribute("aria-label", words);
+  out.raw(R"(><line class="axis" x1="0" x2="600")").attribute("y1", base);
   out.attribute("y2", base).raw("/>").add(bars).raw("</svg>\n");
 }
 

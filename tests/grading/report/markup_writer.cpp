@@ -25,7 +25,7 @@ MarkupWriter& MarkupWriter::number(long value) {
 }
 
 MarkupWriter& MarkupWriter::attribute(Literal name, std::string_view value) {
-  out_.append(" ").append(name.text()).append("=\"");
+  out_.append(" ").append(name.text()).append(R"(=")");
   for (const char c : markup(value)) {
     if (c == '\n' || c == '\t') {
       out_.append("&#").append(std::to_string(static_cast<int>(c))).append(";");

@@ -29,7 +29,7 @@ std::string whole_page(std::string_view title, const MarkupWriter& body, bool wi
   out.raw("<!DOCTYPE html>\n<html").attribute("lang", language() == Language::el ? "el" : "en");
   out.raw(">\n<head>\n<meta charset=\"utf-8\">\n");
   out.raw("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n");
-  out.raw("<meta http-equiv=\"Content-Security-Policy\"").attribute("content", policy);
+  out.raw(R"(<meta http-equiv="Content-Security-Policy")").attribute("content", policy);
   out.raw(">\n<meta name=\"referrer\" content=\"no-referrer\">\n");
   out.raw("<link rel=\"icon\" href=\"data:,\">\n");
   out.element("title", title).raw("\n<style>").raw(report_css).raw("</style>\n</head>\n<body>\n");
@@ -45,9 +45,9 @@ std::string_view tone(int points, int most, bool judged) {
 
 void add_meter(MarkupWriter& out, int points, int most) {
   const long filled = most > 0 ? std::clamp(points * 100L / most, 0L, 100L) : 0;
-  out.raw("<svg class=\"meter\" viewBox=\"0 0 100 10\" preserveAspectRatio=\"none\"");
-  out.raw(" aria-hidden=\"true\"><rect class=\"ground\" width=\"100\" height=\"10\"/>");
-  out.raw("<rect class=\"bar\" height=\"10\"").attribute("width", filled).raw("/></svg>");
+  out.raw(R"(<svg class="meter" viewBox="0 0 100 10" preserveAspectRatio="none")");
+  out.raw(R"( aria-hidden="true"><rect class="ground" width="100" height="10"/>)");
+  out.raw(R"(<rect class="bar" height="10")").attribute("width", filled).raw("/></svg>");
 }
 
 }  // namespace fos::grading

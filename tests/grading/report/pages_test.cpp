@@ -72,7 +72,7 @@ TEST_CASE("A submission that is not judged to the end says so") {
 TEST_CASE("In Greek nothing of the page is English") {
   const InLanguage greek("el");
   const std::string page = submission_page(example_run(), wrong_submission());
-  CHECK(has(page, "<html lang=\"el\">"));
+  CHECK(has(page, R"(<html lang="el">)"));
   CHECK(has(page, "Σημειακό φως"));
   CHECK(has(page, "η σκηνή της διάλεξης"));
   for (const char* english : {"the lecture", "points", "Where", "What", "not right"}) {
@@ -110,7 +110,7 @@ TEST_CASE("The page of a class of none, of one and of many") {
   CHECK(has(class_page(example_run(), {}), "There are no submissions."));
   CHECK(!has(class_page(example_run(), {}), "<table"));
   const std::string one = class_page(example_run(), std::vector{summarize(wrong_submission())});
-  CHECK(has(one, "href=\"submissions/nikos-georgiou/index.html\""));
+  CHECK(has(one, R"(href="submissions/nikos-georgiou/index.html")"));
   CHECK(has(one, "37.5 / 100"));
   std::vector<Summary> all;
   for (int i = 0; i < 2000; ++i) all.push_back(summarize(example_submission(i)));

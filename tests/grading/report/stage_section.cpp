@@ -14,21 +14,21 @@ std::string_view tone_of(Status status) {
 }
 
 void add_mark(MarkupWriter& out, Status status) {
-  out.raw("<span role=\"img\"").attribute("class", tone_of(status));
+  out.raw(R"(<span role="img")").attribute("class", tone_of(status));
   out.attribute("aria-label", status_words(status)).raw(">").text(mark(status)).raw("</span>");
 }
 
 void add_check(MarkupWriter& out, const StageResult& stage, const CheckResult& check,
                const Shown& what, bool with_points) {
-  out.raw("<tr><td class=\"narrow\">");
+  out.raw(R"(<tr><td class="narrow">)");
   add_mark(out, check.status);
   out.raw("</td><td>").text(check_words(check));
   if (const std::string why = check_why(stage, check, what); !why.empty()) {
-    out.raw("<div class=\"dim words\">").text(why).raw("</div>");
+    out.raw(R"(<div class="dim words">)").text(why).raw("</div>");
   }
   out.raw("</td>");
   if (with_points) {
-    out.raw("<td class=\"number\">");
+    out.raw(R"(<td class="number">)");
     if (check.most > 0) out.text(points_of_most(check.points, check.most));
     out.raw("</td>");
   }
@@ -53,13 +53,13 @@ void add_advice(MarkupWriter& out, const StageResult& stage, const Shown& what) 
   const bool named = what.mistake && !stage.mistake.empty();
   const bool asked = what.question && !stage.advice.empty();
   if (!named && !asked) return;
-  out.raw("<div class=\"advice\">");
+  out.raw(R"(<div class="advice">)");
   if (named) {
     out.raw("<p>").text(say(text::report_mistake_found)).raw(" ");
-    out.raw("<strong class=\"mistake\">").text(stage.mistake).raw("</strong></p>");
+    out.raw(R"(<strong class="mistake">)").text(stage.mistake).raw("</strong></p>");
   }
   if (asked) {
-    out.element("h3", say(text::report_hint)).raw("<p class=\"words\">").text(stage.advice);
+    out.element("h3", say(text::report_hint)).raw(R"(<p class="words">)").text(stage.advice);
     out.raw("</p>");
   }
   out.raw("</div>\n");
@@ -77,7 +77,7 @@ void add_pictures(MarkupWriter& out, const StageResult& stage) {
   out.raw("<div class=\"pictures\">\n");
   for (std::size_t i = 0; i < std::min(stage.pictures.size(), std::size(kinds)); ++i) {
     if (stage.pictures[i].empty()) continue;
-    out.raw("<figure><img loading=\"lazy\"").attribute("src", address(stage.pictures[i]));
+    out.raw(R"(<figure><img loading="lazy")").attribute("src", address(stage.pictures[i]));
     out.attribute("alt", say(*kinds[i].description, {stage_title(stage.stage)})).raw(">");
     out.element("figcaption", say(*kinds[i].caption)).raw("</figure>\n");
   }
@@ -104,13 +104,13 @@ void add_status(MarkupWriter& out, const StageResult& stage) {
 
 void add_stage_section(MarkupWriter& out, int number, const SubmissionResult& submission,
                        const StageResult& stage, const Shown& what) {
-  out.raw("<section class=\"stage\"").attribute("id", "stage-" + std::to_string(number));
+  out.raw(R"(<section class="stage")").attribute("id", "stage-" + std::to_string(number));
   out.raw(">\n<h2><span>").text(stage_title(stage.stage)).raw("</span><span>");
   out.text(points_of_most(points_of(submission, stage), stage.most)).raw("</span></h2>\n<p>");
   add_status(out, stage);
   out.raw("</p>\n");
   if (const std::string notes = stage_notes(stage); !notes.empty()) {
-    out.raw("<p class=\"words\">").text(notes).raw("</p>\n");
+    out.raw(R"(<p class="words">)").text(notes).raw("</p>\n");
   }
   add_output(out, say(text::report_compiler), stage.compiler, stage.cause == Cause::not_compiled);
   add_advice(out, stage, what);

@@ -20,18 +20,18 @@ void add_list(MarkupWriter& out, const std::string& title, const std::vector<std
 }
 
 void add_overview(MarkupWriter& out, const SubmissionResult& submission) {
-  out.raw("<table id=\"overview\"><thead><tr><th scope=\"col\">").text(say(text::report_stage));
-  out.raw("</th><th scope=\"col\">").text(say(text::report_result));
-  out.raw("</th><th scope=\"col\" class=\"number\">").text(say(text::report_points_heading));
+  out.raw(R"(<table id="overview"><thead><tr><th scope="col">)").text(say(text::report_stage));
+  out.raw(R"(</th><th scope="col">)").text(say(text::report_result));
+  out.raw(R"(</th><th scope="col" class="number">)").text(say(text::report_points_heading));
   out.raw("</th></tr></thead>\n<tbody>\n");
   for (std::size_t i = 0; i < submission.stages.size(); ++i) {
     const StageResult& stage = submission.stages[i];
     const int points = points_of(submission, stage);
-    out.raw("<tr><th scope=\"row\"><a").attribute("href", "#stage-" + std::to_string(i + 1));
+    out.raw(R"(<tr><th scope="row"><a)").attribute("href", "#stage-" + std::to_string(i + 1));
     out.raw(">").text(stage_title(stage.stage)).raw("</a></th><td>");
     add_status(out, stage);
     add_meter(out, points, stage.most);
-    out.raw("</td><td class=\"number\">").text(points_of_most(points, stage.most));
+    out.raw(R"(</td><td class="number">)").text(points_of_most(points, stage.most));
     out.raw("</td></tr>\n");
   }
   out.raw("</tbody></table>\n");
@@ -46,14 +46,14 @@ std::string submission_page(const Run& run, const SubmissionResult& submission) 
   out.raw("<header>\n<p class=\"dim\">").text(run.title).raw("</p>\n<h1><bdi>");
   out.text(shown_name).raw("</bdi></h1>\n");
   if (!submission.username.empty()) {
-    out.raw("<p class=\"dim\"><bdi>").text(submission.username).raw("</bdi></p>\n");
+    out.raw(R"(<p class="dim"><bdi>)").text(submission.username).raw("</bdi></p>\n");
   }
-  out.raw("<ul class=\"facts\"><li><strong id=\"total\">");
+  out.raw(R"(<ul class="facts"><li><strong id="total">)");
   out.text(points_of_most(submission.points(), submission.most())).raw("</strong>");
   out.text(say(text::report_total));
   out.raw("</li></ul>\n");
   if (!is_settled(summary)) {
-    out.raw("<p id=\"not-settled\"><strong>").text(say(text::report_not_settled));
+    out.raw(R"(<p id="not-settled"><strong>)").text(say(text::report_not_settled));
     out.raw("</strong></p>\n");
   }
   out.raw("</header>\n<main>\n");
