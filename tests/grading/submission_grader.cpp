@@ -137,7 +137,8 @@ StageResult SubmissionGrader::ask_stage(const StageQuestions& questions, const S
   StageResult result = score(questions, answers, course_.shares);
   result.compiler = at_most(made.output);
   if (result.status == Status::failed) {
-    advise_on(result, program, questions, answers);
+    // What never answers would only be waited for again.
+    if (result.cause != Cause::out_of_time) advise_on(result, program, questions, answers);
     if (result.cause == Cause::crashed)
       result.sanitizer = where_it_crashed(questions, file, answers);
     make_pictures(result, questions, answers, pictures);
