@@ -2,6 +2,8 @@
 #   FOS_STAGES                      the stages up to FOS_LECTURE, in order
 #   FOS_STAGE_<id>_{LECTURE,FILE}
 #   FOS_REFERENCE_SCENES            the scenes of all of them, each once
+#   FOS_SHARES                      how grading shares a stage's points out, in percent: checks, scenes
+#                                   that nobody has published, relations
 # and writes what C++ (fos/stages.inc) and bash (stages.sh) need of it.
 
 set(_file "${CMAKE_SOURCE_DIR}/labs/stages.json")
@@ -21,6 +23,17 @@ function(fos_json_array out)
   endif()
   set(${out} "${_list}" PARENT_SCOPE)
 endfunction()
+
+set(FOS_SHARES "")
+set(_sum 0)
+foreach(_part IN ITEMS checks scenes relations)
+  string(JSON _share GET "${_json}" shares ${_part})
+  list(APPEND FOS_SHARES ${_share})
+  math(EXPR _sum "${_sum} + ${_share}")
+endforeach()
+if(NOT _sum EQUAL 100)
+  message(FATAL_ERROR "labs/stages.json: the shares are ${_sum} percent together, not 100")
+endif()
 
 set(FOS_LECTURES "")
 string(JSON _count LENGTH "${_json}" lectures)

@@ -1,12 +1,17 @@
 #include "class_run.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <exception>
+#include <fstream>
+#include <iterator>
 #include <mutex>
 #include <thread>
 
 #include "fos/progress.hpp"
 #include "fos/text.hpp"
+#include "fos/whole_file.hpp"
 #include "grading/intake/result_json.hpp"
 
 namespace fos::grading {
@@ -83,17 +88,30 @@ Tally ClassRun::grade(const ClassFiles& hand_ins, const std::vector<Entry>& entr
 std::vector<std::string> ClassRun::report(const std::vector<Entry>& entries,
                                           Journal& journal) const {
   const ReportSettings settings{options_.formats};
+  // Pages of other formats, words or feedback than those that are there are written anew.
+  const std::filesystem::path note = options_.output / "reports.txt";
+  const std::string written = signature();
+  std::ifstream in(note);
+  const bool anew = written != std::string{std::istreambuf_iterator<char>(in), {}};
   std::vector<Summary> all;
   for (const Entry& entry : entries) {
     auto result = journal.read(entry.whose.id);
     if (!result) continue;
-    if (complete(*result, entry)) {
-      journal.write(*result);
-      write_submission_files(options_.output, run_, *result, settings);
-    }
+    const bool changed = complete(*result, entry);
+    if (changed) journal.write(*result);
+    if (changed || anew) write_submission_files(options_.output, run_, *result, settings);
     all.push_back(summarize(*result));
   }
-  return write_class_files(options_.output, run_, all, settings);
+  const std::vector<std::string> refused = write_class_files(options_.output, run_, all, settings);
+  write_whole_file(note, written);
+  return refused;
+}
+
+std::string ClassRun::signature() const {
+  std::string words =
+      fmt::format("{} {}", name(options_.feedback), language() == Language::el ? "el" : "en");
+  for (const ReportFormat format : options_.formats) words += fmt::format(" {}", name(format));
+  return words + "\n";
 }
 
 }  // namespace fos::grading

@@ -51,6 +51,8 @@ class ClassRun {
   std::vector<std::string> report(const std::vector<Entry>& entries, Journal& journal) const;
 
  private:
+  std::string signature() const;
+
   const Course& course_;
   const GradeOptions& options_;
   const Run& run_;

@@ -2,6 +2,7 @@
 //
 // Exit status: 0 all is graded, 2 wrong usage or input, 3 the toolkit's own trouble: no box, a full
 // disk, or a submission that could not be judged; 130 interrupted.
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -137,6 +138,7 @@ int grade(const GradeOptions& options) {
   course.workshop = &workshop;
   course.picture_program = options.build / "bin" / "fos_picture";
   course.seed = seed_of(options);
+  course.shares = {FOS_SHARES};
   workshop.precompile(Box(course.box, 0, work.path() / "precompile"));
   const DrawnScenes drawn(course.seed);
   std::string settings;
@@ -144,7 +146,8 @@ int grade(const GradeOptions& options) {
     course.stages.emplace_back(*stage, drawn);
     settings += std::string(stage->id) + ' ';
   }
-  settings += name(options.feedback);
+  settings +=
+      fmt::format("{} {} {}", course.shares.checks, course.shares.scenes, course.shares.relations);
 
   const Run run{options.path.filename().string(),
                 toolkit_version(options.root, options.build),

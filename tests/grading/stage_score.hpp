@@ -10,11 +10,11 @@
 
 namespace fos::grading {
 
-/// How a stage's points are shared out, in percent; together 100.
+/// How a stage's points are shared out, in percent; together 100. labs/stages.json has them.
 struct Shares {
-  int checks = 60;
-  int scenes = 25;
-  int relations = 15;
+  int checks = 0;
+  int scenes = 0;
+  int relations = 0;
 };
 
 /// Each line of the report and the points. `answers` are for questions.scenes(), in that order.
