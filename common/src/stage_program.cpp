@@ -73,7 +73,7 @@ constexpr std::chrono::seconds patience_with_supervisor{20};
 
 }  // namespace
 
-StageProgram::StageProgram(std::filesystem::path program, Limits limits)
+StageProgram::StageProgram(const std::filesystem::path& program, Limits limits)
     : words_of_command_{program.string()}, limits_(limits) {}
 
 StageProgram::StageProgram(SupervisedCommand command, Limits limits)
@@ -107,7 +107,7 @@ bool StageProgram::start() {
     // vfork: a frame may be large, and copying the page tables of one who holds some costs more
     // than all the rest of a start. Until exec the child uses this process's memory, and leaves it
     // alone.
-    process_ = vfork();
+    process_ = vfork();  // NOLINT(*-unix.Vfork,*-insecureAPI.vfork)
     if (process_ == 0) become(words.data(), ends, supervised_ ? 0 : limits_.cpu_seconds, parent);
     if (process_ < 0) error = errno;
     close_descriptor(errors[1]);

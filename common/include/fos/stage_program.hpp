@@ -64,7 +64,7 @@ class Supervision;
 /// at the end or when an answer is not complete (the next question starts a new one).
 class StageProgram {
  public:
-  explicit StageProgram(std::filesystem::path program, Limits limits = {});
+  explicit StageProgram(const std::filesystem::path& program, Limits limits = {});
   explicit StageProgram(SupervisedCommand command, Limits limits = {});
   ~StageProgram();
   StageProgram(const StageProgram&) = delete;

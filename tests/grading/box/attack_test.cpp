@@ -1,13 +1,13 @@
 // What the box must keep in: each attack fails, and nothing outside has changed.
 #include <arpa/inet.h>
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
+#include <csignal>
 #include <fstream>
 #include <sstream>
 #include <thread>
@@ -59,6 +59,8 @@ int processes_called(const std::string& name) {
   return count;
 }
 
+std::string solution() { return FOS_SOURCE_FOLDER "/solutions/lecture04/point.cpp"; }
+
 std::string own_pid() { return std::to_string(getpid()); }
 
 }  // namespace
@@ -99,9 +101,8 @@ TEST_CASE("it reads nothing that is not shown") {
   std::vector<std::string> paths{secret_file().string()};
   if (box_under_test()->level != Level::uid) {
     paths.insert(paths.end(),
-                 {test_folder().string(), FOS_SOURCE_FOLDER "/solutions/lecture04/point.cpp",
-                  FOS_SOURCE_FOLDER "/tests", "/etc/passwd", "/etc/shadow", "/root", "/home",
-                  "/var", "/usr/local", "/tmp/.."});
+                 {test_folder().string(), solution(), FOS_SOURCE_FOLDER "/tests", "/etc/passwd",
+                  "/etc/shadow", "/root", "/home", "/var", "/usr/local", "/tmp/.."});
     if (box_under_test()->level == Level::bubblewrap) paths.resize(paths.size() - 1);
   }
   const auto result = run(make_box(), attack("reads", paths));

@@ -34,7 +34,7 @@ const fs::path& secret_file() {
   static const fs::path file = [] {
     // Anyone may read it, so that it is the box that keeps it; where there is only a user of its
     // own, that is what keeps it.
-    const fs::path path = test_folder() / "secret";
+    fs::path path = test_folder() / "secret";
     std::ofstream(path) << "the reference\n";
     const char* level = std::getenv("FOS_BOX_LEVEL");
     const bool by_user = level != nullptr && std::string(level) == "uid";
@@ -85,7 +85,7 @@ const Workshop& workshop_under_test() {
 
 Errand attack(const std::string& what, const std::vector<std::string>& arguments) {
   static const fs::path program = [] {
-    const fs::path copy = test_folder() / "attacker";
+    fs::path copy = test_folder() / "attacker";
     fs::copy_file(FOS_ATTACKER, copy, fs::copy_options::overwrite_existing);
     return copy;
   }();

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* program_name = "program";
-constexpr std::size_t most_output = 64 * 1024;
+constexpr std::size_t most_output = 65536;
 
 std::string contents(const fs::path& file) {
   std::ostringstream words;

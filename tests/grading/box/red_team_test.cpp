@@ -49,7 +49,7 @@ std::map<std::string, std::size_t> picture_of(const fs::path& folder) {
   return files;
 }
 
-/// How many processes the box's users have, or are called as theirs are.
+/// How many processes of the box's user have a program from it.
 int strangers(const Box& box) {
   int count = 0;
   for (const auto& entry : fs::directory_iterator("/proc")) {
@@ -57,10 +57,11 @@ int strangers(const Box& box) {
     if (name.find_first_not_of("0123456789") != std::string::npos) continue;
     struct stat status {};
     if (stat(entry.path().c_str(), &status) != 0) continue;
-    std::string command;
-    std::getline(std::ifstream(entry.path() / "comm"), command);
-    if (command == "stage" || command == "program" || command == "evil") ++count;
-    if (box.user() != 0 && status.st_uid == box.user()) ++count;
+    if (status.st_uid != (box.user() != 0 ? box.user() : geteuid())) continue;
+    std::error_code gone;
+    const fs::path program = fs::read_symlink(entry.path() / "exe", gone);
+    const fs::path folder = program.parent_path();
+    if (program == "/box/stage" || folder == workshop_under_test().programs()) ++count;
   }
   return count;
 }

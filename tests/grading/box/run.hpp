@@ -34,7 +34,7 @@ struct RunResult {
 };
 
 struct RunLimits {
-  std::size_t output = 64 * 1024;                             ///< bytes; what prints more is ended
+  std::size_t output = 65536;                                 ///< bytes; what prints more is ended
   bool cut = false;                                           ///< it is not: the rest is dropped
   std::chrono::milliseconds wall = std::chrono::minutes(10);  ///< for what escapes all else
 };

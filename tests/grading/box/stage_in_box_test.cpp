@@ -22,7 +22,7 @@ struct Outcome {
 
 SupervisedCommand command(const Box& box, const std::string& misbehaviour) {
   static const fs::path program = [] {
-    const fs::path copy = test_folder() / "misbehaving";
+    fs::path copy = test_folder() / "misbehaving";
     fs::copy_file(FOS_MISBEHAVING, copy, fs::copy_options::overwrite_existing);
     return copy;
   }();

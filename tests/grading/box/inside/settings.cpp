@@ -12,6 +12,11 @@ bool read_number(std::string_view text, Number& number) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
+bool add(std::vector<std::string>& to, std::string_view value) {
+  to.emplace_back(value);
+  return !value.empty();
+}
+
 bool set(std::string_view name, std::string_view value, Settings& to) {
   if (name == "alone") return to.alone = true;
   if (name == "landlock") return (to.landlock = true) && read_number(value, to.landlock_abi);
@@ -28,10 +33,10 @@ bool set(std::string_view name, std::string_view value, Settings& to) {
   if (name == "idle") return read_number(value, to.idle_seconds);
   if (name == "folder") return !(to.folder = value).empty();
   if (name == "scratch") return !(to.scratch = value).empty();
-  if (name == "read") return to.read.emplace_back(value).size() > 0;
-  if (name == "write") return to.write.emplace_back(value).size() > 0;
-  if (name == "device") return to.device.emplace_back(value).size() > 0;
-  if (name == "env") return to.environment.emplace_back(value).size() > 0;
+  if (name == "read") return add(to.read, value);
+  if (name == "write") return add(to.write, value);
+  if (name == "device") return add(to.device, value);
+  if (name == "env") return add(to.environment, value);
   return false;
 }
 

