@@ -41,6 +41,7 @@ TEST_CASE("a key is of the files, the seed, the toolkit and the settings, and of
   CHECK(result_key(hand_in, 1, "1.1", "full") != key);
   CHECK(result_key(hand_in, 1, "1.0", "marks") != key);
   CHECK(result_key(hand_in, 1, "1.0f", "ull") != key);
+  CHECK(result_key(hand_in, 1, "1.0:4", "full") != result_key(hand_in, 1, "1.0", "4:full"));
   hand_in.whose.name = "another";
   hand_in.notes = {"a note"};
   hand_in.files[1].words = "other words";
