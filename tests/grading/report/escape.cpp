@@ -25,10 +25,9 @@ bool is_invisible(char32_t c) {
 
 /// With which a cell is a formula, in the forms that spreadsheets read.
 bool begins_formula(std::string_view text) {
-  for (const std::string_view begin : {"=", "+", "-", "@", "＝", "＋", "－", "＠"}) {
-    if (text.starts_with(begin)) return true;
-  }
-  return false;
+  constexpr std::string_view begins[] = {"=", "+", "-", "@", "＝", "＋", "－", "＠"};
+  return std::any_of(std::begin(begins), std::end(begins),
+                     [&](std::string_view begin) { return text.starts_with(begin); });
 }
 
 std::string without_formulas(std::string_view text) {
@@ -104,7 +103,7 @@ std::string address(std::string_view text) {
 }
 
 std::string csv_cell(std::string_view text) {
-  const std::string cell = without_formulas(one_line(text));
+  std::string cell = without_formulas(one_line(text));
   if (cell.find_first_of(R"(,;|"')") == std::string::npos) return cell;
   std::string out = R"(")";
   for (const char c : cell) {
