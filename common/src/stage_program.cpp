@@ -107,7 +107,7 @@ bool StageProgram::start() {
     // vfork: a frame may be large, and copying the page tables of one who holds some costs more
     // than all the rest of a start. Until exec the child uses this process's memory, and leaves it
     // alone.
-    process_ = vfork();  // NOLINT(*-unix.Vfork,*-insecureAPI.vfork)
+    process_ = vfork();  // NOLINT(*Vfork,*vfork)
     if (process_ == 0) become(words.data(), ends, supervised_ ? 0 : limits_.cpu_seconds, parent);
     if (process_ < 0) error = errno;
     close_descriptor(errors[1]);

@@ -63,9 +63,10 @@ bool connects() {
   local.sin_family = AF_INET;
   local.sin_port = htons(static_cast<std::uint16_t>(std::stoi(arguments.at(0))));
   local.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  return told(inet >= 0, "socket") | told(unix_socket >= 0, "unix socket") |
-         told(inet >= 0 && connect(inet, reinterpret_cast<sockaddr*>(&local), sizeof(local)) == 0,
+  bool any = told(inet >= 0, "socket") | told(unix_socket >= 0, "unix socket");
+  any |= told(inet >= 0 && connect(inet, reinterpret_cast<sockaddr*>(&local), sizeof(local)) == 0,
               "connected");
+  return any;
 }
 
 bool kills() {
@@ -219,12 +220,13 @@ bool traces() {
 }
 
 bool makes_namespaces() {
-  return told(unshare(CLONE_NEWUSER) == 0, "unshare") |
-         told(syscall(SYS_clone, CLONE_NEWUSER | SIGCHLD, 0, 0, 0, 0) > 0, "clone") |
-         told(syscall(SYS_io_uring_setup, 1, nullptr) >= 0, "io_uring") |
-         told(syscall(SYS_memfd_create, "x", 0) >= 0, "memfd") |
-         told(shmget(IPC_PRIVATE, 4096, 0600) >= 0, "shm") |
-         told(setpriority(PRIO_PROCESS, static_cast<id_t>(getppid()), 19) == 0, "priority");
+  bool any = told(unshare(CLONE_NEWUSER) == 0, "unshare");
+  any |= told(syscall(SYS_clone, CLONE_NEWUSER | SIGCHLD, 0, 0, 0, 0) > 0, "clone");
+  any |= told(syscall(SYS_io_uring_setup, 1, nullptr) >= 0, "io_uring");
+  any |= told(syscall(SYS_memfd_create, "x", 0) >= 0, "memfd");
+  any |= told(shmget(IPC_PRIVATE, 4096, 0600) >= 0, "shm");
+  any |= told(setpriority(PRIO_PROCESS, static_cast<id_t>(getppid()), 19) == 0, "priority");
+  return any;
 }
 
 bool limits_others() {
