@@ -5,6 +5,7 @@
 // most_text bytes of it: each writer escapes it for where it goes.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -15,7 +16,7 @@
 
 namespace fos::grading {
 
-inline constexpr std::size_t most_text = 8 * 1024;
+inline constexpr std::size_t most_text = std::size_t{8} * 1024;
 
 enum class Status {
   passed,
