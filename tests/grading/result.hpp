@@ -5,6 +5,7 @@
 // most_text bytes of it: each writer escapes it for where it goes.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -15,7 +16,7 @@
 
 namespace fos::grading {
 
-inline constexpr std::size_t most_text = 8UL * 1024;
+inline constexpr std::size_t most_text = std::size_t{8} * 1024;
 
 enum class Status {
   passed,
@@ -59,9 +60,6 @@ struct CheckResult {
   Cause cause = Cause::none;
   int passed = 0;  ///< of `things`
   int things = 1;
-  int points =
-      0;  ///< hundredths, of `most`; both 0 where points are given for the stage as a whole
-  int most = 0;
   std::string why;  ///< in the language of the run: the first wrong pixel; empty for a scene that
                     ///< nobody has published
 };

@@ -30,16 +30,18 @@ TEST_CASE("a folder of submissions: a folder or a zip each") {
   folder.write("class/nikos.rar", "Rar!");
   folder.write("class/grades.xlsx", "no one's");
   folder.folder("class/eleni");
+  folder.write("class/\x8B\xE5\xA8\xA1\x98/point.cpp", "m");  // Μίρκα in the code page 737
   const ClassFiles files = read_class(folder.path() / "class", stages);
   CHECK(files.kind() == ClassKind::folder);
-  REQUIRE(ids_of(files) == Ids{"eleni", "giorgos-papadopoulos", "maria", "nikos", "up1234567"});
+  REQUIRE(ids_of(files) ==
+          Ids{"eleni", "giorgos-papadopoulos", "maria", "mirka", "nikos", "up1234567"});
   CHECK(files.whose(1).name == "Γιώργος Παπαδόπουλος");
-  CHECK(files.whose(4).source == "up1234567.zip");
+  CHECK(files.whose(5).source == "up1234567.zip");
   CHECK(point_of(files, 1) == "G");
   CHECK(point_of(files, 2) == "M");
-  CHECK(point_of(files, 4) == "U");
+  CHECK(point_of(files, 5) == "U");
   CHECK(file_of(files.read(0), "point").why == Why::missing);
-  CHECK(has_note(files.read(3), "nikos.rar is a .rar"));
+  CHECK(has_note(files.read(4), "nikos.rar is a .rar"));
   REQUIRE(files.notes().size() == 1);
   CHECK(files.notes()[0].find("grades.xlsx") != std::string::npos);
 }

@@ -11,6 +11,7 @@
 
 #include "class_layout.hpp"
 #include "container.hpp"
+#include "encoding.hpp"
 #include "file_names.hpp"
 #include "fos/text.hpp"
 #include "limits.hpp"
@@ -83,7 +84,8 @@ std::string id_base(const Whose& whose, ClassKind kind) {
 void set_ids(std::vector<HandInFiles>& hand_ins, ClassKind kind) {
   std::vector<std::string> bases;
   std::vector<std::string> sources;
-  for (const HandInFiles& hand_in : hand_ins) {
+  for (HandInFiles& hand_in : hand_ins) {
+    hand_in.whose.name = read_name(hand_in.whose.name);  // folders too may have come from Windows
     bases.push_back(id_base(hand_in.whose, kind));
     sources.push_back(hand_in.whose.source);
   }
