@@ -1,6 +1,8 @@
 // CSV as a spreadsheet reads it, for the tests of the writers.
 #pragma once
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,10 +50,9 @@ inline bool is_formula(std::string_view cell) {
       cell[0] == '-') {
     return false;
   }
-  for (const char* begin : {"=", "+", "-", "@", "＝", "＋", "－", "＠"}) {
-    if (cell.starts_with(begin)) return true;
-  }
-  return false;
+  constexpr std::string_view begins[] = {"=", "+", "-", "@", "＝", "＋", "－", "＠"};
+  return std::any_of(std::begin(begins), std::end(begins),
+                     [&](std::string_view begin) { return cell.starts_with(begin); });
 }
 
 }  // namespace fos::grading

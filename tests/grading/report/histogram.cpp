@@ -36,9 +36,9 @@ void add_histogram(MarkupWriter& out, const std::array<int, 10>& tenths) {
     add_label(bars, i * step + step / 2, base - height - 6, std::to_string(count));
   }
   for (long i = 0; i <= 10; i += 2) {
-    add_label(bars, std::clamp(i * step, 22L, width - 22), base + 20, std::to_string(i * 10));
+    add_label(bars, std::clamp(i * step, 22L, width - 22), base + 22, std::to_string(i * 10));
   }
-  add_label(bars, width / 2, base + 42, say(text::report_percent));
+  add_label(bars, width / 2, base + 47, say(text::report_percent));
   out.raw(R"(<svg viewBox="0 0 600 240" role="img")").attribute("aria-label", words);
   out.raw(R"(><line class="axis" x1="0" x2="600")").attribute("y1", base);
   out.attribute("y2", base).raw("/>").add(bars).raw("</svg>\n");

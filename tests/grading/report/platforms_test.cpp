@@ -73,7 +73,7 @@ TEST_CASE("Open eClass: what the import would refuse or read as another is left 
   CHECK(written("True") == "(True)");
   CHECK(written("12345678901234567890") == "(12345678901234567890)");
   CHECK(written("=1+1") == "(=1+1)");
-  for (const char* user : {"", "a(b)", "a)b(", "1)", "x\ny", " x", "a;=1", "\xE2\x80\xAEx"}) {
+  for (const char* user : {"", "a(b)", "a)b(", "1)", "x\ny", " x", "a;=1", "\u202Ex\u202C"}) {
     CAPTURE(user);
     CHECK(written(user).empty());
     CHECK(ids(eclass_preflight(std::vector{two_users(user, "x")[0]}, {})).size() == 1);
