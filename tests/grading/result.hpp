@@ -60,6 +60,8 @@ struct CheckResult {
   Cause cause = Cause::none;
   int passed = 0;  ///< of `things`
   int things = 1;
+  int points = 0;  ///< hundredths, of `most`
+  int most = 0;
   std::string why;  ///< in the language of the run: the first wrong pixel; empty for a scene that
                     ///< nobody has published
 };
