@@ -28,13 +28,13 @@ enum class Status {
 enum class Cause {
   none,
   wrong_pixels,
-  not_finite,      ///< NaN or infinite channels
-  unwritten,       ///< the stub's answer
-  crashed,         ///< killed by a signal
-  out_of_time,     ///< CPU time
-  out_of_memory,   ///< the limit on memory
-  left,            ///< exited in mid-frame, or sent what is no frame
-  refused,         ///< it says that it cannot carry the scene
+  not_finite,     ///< NaN or infinite channels
+  unwritten,      ///< the stub's answer
+  crashed,        ///< killed by a signal
+  out_of_time,    ///< CPU time
+  out_of_memory,  ///< the limit on memory
+  left,           ///< exited in mid-frame, or sent what is no frame
+  refused,        ///< it says that it cannot carry the scene
   not_compiled,
   no_file,         ///< not handed in, twice, not text, too large, a link
   infrastructure,  ///< ours: retried, and never costs points
@@ -67,14 +67,15 @@ struct CheckResult {
 };
 
 struct StageResult {
-  std::string stage;  ///< its id
+  std::string stage;                   ///< its id
   Status status = Status::not_judged;  ///< passed: everything
   Cause cause = Cause::none;           ///< of the stage as a whole, where no frame came at all
   int points = 0;                      ///< hundredths
   int most = 0;                        ///< hundredths
   std::vector<CheckResult> checks;
-  std::string mistake;     ///< the names of the mistakes found, with " + "; empty where none has a name
-  std::string advice;      ///< their question and where to look, ready to show; several lines
+  std::string
+      mistake;         ///< the names of the mistakes found, with " + "; empty where none has a name
+  std::string advice;  ///< their question and where to look, ready to show; several lines
   bool carried = false;    ///< the mistake was made in an earlier stage and is not charged here
   std::string compiler;    ///< what the compiler said
   std::string program;     ///< what the program printed where it ended without a frame
@@ -98,8 +99,8 @@ struct SubmissionResult {
   std::string username;  ///< the platform's, from the roster or the zip's name; may be empty
   std::string email;     ///< likewise
   std::string source;    ///< the file or folder it came from, below PATH
-  std::string key;       ///< of its files, the seed, the toolkit and the settings: same key, same result
-  std::string box;       ///< the level of the box: bubblewrap, landlock, uid, none
+  std::string key;  ///< of its files, the seed, the toolkit and the settings: same key, same result
+  std::string box;  ///< the level of the box: bubblewrap, landlock, uid, none
   std::uint64_t seed = 0;
   std::vector<std::string> notes;  ///< of the hand-in: a file missing, twice, a link …, in words
   std::vector<StageResult> stages;

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cerrno>
 #include <cstddef>
+#include <cstdint>
 
 namespace fos::grading {
 namespace {
@@ -68,8 +69,9 @@ bool is_utf8(std::string_view bytes) {
 }
 
 std::optional<std::string> from_encoding(const char* encoding, std::string_view bytes) {
-  const iconv_t converter = iconv_open("UTF-8", encoding);
-  if (converter == reinterpret_cast<iconv_t>(-1)) return std::nullopt;  // this libc knows it not
+  iconv_t converter = iconv_open("UTF-8", encoding);
+  if (reinterpret_cast<std::intptr_t>(converter) == -1)
+    return std::nullopt;  // this libc knows it not
   std::string in(bytes);
   std::string out(4 * in.size() + 4, '\0');
   char* from = in.data();

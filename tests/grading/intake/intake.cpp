@@ -132,8 +132,8 @@ ClassFiles read_class(const std::filesystem::path& path, std::span<const Stage> 
 }
 
 ClassFiles::ClassFiles(std::unique_ptr<Contents> contents) : contents_(std::move(contents)) {}
-ClassFiles::ClassFiles(ClassFiles&&) noexcept = default;
-ClassFiles& ClassFiles::operator=(ClassFiles&&) noexcept = default;
+ClassFiles::ClassFiles(ClassFiles&& other) noexcept = default;
+ClassFiles& ClassFiles::operator=(ClassFiles&& other) noexcept = default;
 ClassFiles::~ClassFiles() = default;
 
 ClassKind ClassFiles::kind() const { return contents_->kind; }

@@ -34,8 +34,8 @@ enum class ClassKind {
 /// once: the zip is read at one place at a time.
 class ClassFiles {
  public:
-  ClassFiles(ClassFiles&&) noexcept;
-  ClassFiles& operator=(ClassFiles&&) noexcept;
+  ClassFiles(ClassFiles&& other) noexcept;
+  ClassFiles& operator=(ClassFiles&& other) noexcept;
   ~ClassFiles();
 
   ClassKind kind() const;

@@ -13,11 +13,12 @@
 
 #include "file_names.hpp"
 #include "fos/text.hpp"
+#include "limits.hpp"
 
 namespace fos::grading {
 namespace {
 
-constexpr std::size_t most_result = 16 * 1024 * 1024;
+constexpr std::size_t most_result = 16 * mebibyte;
 
 std::string in_words(int error) { return std::generic_category().message(error); }
 

@@ -18,7 +18,7 @@ namespace {
 /// With the right sum, so that what else is wrong must be found.
 std::string summed(std::string json) {
   const std::size_t line = json.find('\n');
-  const std::size_t at = json.find("\"sum\":\"");
+  const std::size_t at = json.find(R"("sum":")");
   if (line == std::string::npos || at > line) return json;
   const std::string_view rest = std::string_view(json).substr(line + 1);
   const auto sum =
@@ -101,24 +101,24 @@ TEST_CASE("what is not quite a result is refused") {
     REQUIRE(bad.find(from) != std::string::npos);
     return summed(bad.replace(bad.find(from), from.size(), to));
   };
-  CHECK_NOTHROW(result_from_json(with("\"nikos\"", "\"maria\"")));
+  CHECK_NOTHROW(result_from_json(with(R"("nikos")", R"("maria")")));
   CHECK_THROWS_WITH(result_from_json(good + " "), ContainsSubstring("damaged"));
-  for (const std::string& bad : {with("\"format\":1", "\"format\":2"),
-                                 with("\"id\":\"a\"", "\"id\":\"../a\""),
-                                 with("\"id\":\"a\"", "\"id\":\"\""),
-                                 with("\"username\"", "\"user\""),
-                                 with("\"seed\": 1", "\"seed\": -1"),
-                                 with("\"seed\": 1", "\"seed\": 99"),
-                                 with("\"status\":\"failed\"", "\"status\":\"fine\""),
-                                 with("\"points\": 1250", "\"points\": 12.5"),
-                                 with("\"points\": 1250", "\"points\": 99999999999"),
-                                 with("\"passed\": 0", "\"passed\": 21"),
-                                 with("\"carried\": true", "\"carried\": 1"),
+  for (const std::string& bad : {with(R"("format":1)", R"("format":2)"),
+                                 with(R"("id":"a")", R"("id":"../a")"),
+                                 with(R"("id":"a")", R"("id":"")"),
+                                 with(R"("username")", R"("user")"),
+                                 with(R"("seed": 1)", R"("seed": -1)"),
+                                 with(R"("seed": 1)", R"("seed": 99)"),
+                                 with(R"("status":"failed")", R"("status":"fine")"),
+                                 with(R"("points": 1250)", R"("points": 12.5)"),
+                                 with(R"("points": 1250)", R"("points": 99999999999)"),
+                                 with(R"("passed": 0)", R"("passed": 21)"),
+                                 with(R"("carried": true)", R"("carried": 1)"),
                                  with("point-yours.png", "../../index.html"),
-                                 with("\"bytes\"", "\"bits\""),
-                                 with("\"box\"", "\"more\": 1, \"box\""),
+                                 with(R"("bytes")", R"("bits")"),
+                                 with(R"("box")", R"("more": 1, "box")"),
                                  with("{", "[{"),
-                                 with("\"email\"", "\"name\""),
+                                 with(R"("email")", R"("name")"),
                                  std::string(),
                                  std::string("null"),
                                  std::string("{}"),
