@@ -102,7 +102,7 @@ std::vector<std::string> ClassRun::report(const std::vector<Entry>& entries,
     if (changed || anew) write_submission_files(options_.output, run_, *result, settings);
     all.push_back(summarize(*result));
   }
-  const std::vector<std::string> refused = write_class_files(options_.output, run_, all, settings);
+  std::vector<std::string> refused = write_class_files(options_.output, run_, all, settings);
   write_whole_file(note, written);
   return refused;
 }

@@ -17,7 +17,7 @@ class MistakenAnswers {
   bool gives(const SceneText& scene, const Frame& frame) const;
 
  private:
-  Frame frame_of(const SceneText& scene) const;
+  Frame frame_of(const SceneText& text) const;
 
   const Stage* stage_;
   MistakeSet everywhere_;

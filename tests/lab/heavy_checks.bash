@@ -66,7 +66,7 @@ clang_tree() {
     -DFOS_SANITIZE=ON -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS='-O1 -gline-tables-only' &&
     build "$BUILD_CLANG" all &&
     run_ctest "$BUILD_CLANG" \
-      -E '^((command|proof|watch)_.*|check|fos_check|explain|submissions|mistake_variants|broken.*)$'
+      -E '^((box|command|proof|watch)_.*|check|grade|fos_check|explain|submissions|misconceptions|mistake.*|broken.*)$'
 }
 
 # Random scenes by the hundred against the exact tracer, and the proof that they find planted bugs.

@@ -63,7 +63,8 @@ bool connects() {
   local.sin_family = AF_INET;
   local.sin_port = htons(static_cast<std::uint16_t>(std::stoi(arguments.at(0))));
   local.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  bool any = told(inet >= 0, "socket") | told(unix_socket >= 0, "unix socket");
+  bool any = told(inet >= 0, "socket");
+  any |= told(unix_socket >= 0, "unix socket");
   any |= told(inet >= 0 && connect(inet, reinterpret_cast<sockaddr*>(&local), sizeof(local)) == 0,
               "connected");
   return any;

@@ -32,11 +32,16 @@ Written texts(const std::vector<std::string>& all) {
 }
 
 Written written(const CheckResult& check) {
-  return {{"part", name(check.part)},         {"words_en", text(check.words_en)},
-          {"words_el", text(check.words_el)}, {"status", name(check.status)},
-          {"cause", name(check.cause)},       {"passed", check.passed},
-          {"things", check.things},           {"points", check.points},
-          {"most", check.most},               {"why", text(check.why)}};
+  return {{"part", name(check.part)},
+          {"words_en", text(check.words_en)},
+          {"words_el", text(check.words_el)},
+          {"status", name(check.status)},
+          {"cause", name(check.cause)},
+          {"passed", check.passed},
+          {"things", check.things},
+          {"points", check.points},
+          {"most", check.most},
+          {"why", text(check.why)}};
 }
 
 Written written(const StageResult& stage) {
