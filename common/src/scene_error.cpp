@@ -5,7 +5,7 @@
 
 #include "fos/scene_text.hpp"
 #include "fos/text.hpp"
-#include "utf8.hpp"
+#include "fos/utf8.hpp"
 
 namespace fos {
 namespace {
@@ -26,7 +26,7 @@ SceneError scene_error(std::string_view source, std::string_view name, Place pla
   std::string shown;
   std::size_t characters = 0;  // not bytes: a caret under Greek text must stand under its character
   for (std::string_view line = line_of(source, place.line); !line.empty() && characters < 200;) {
-    const std::size_t length = utf8_length(line);
+    const std::size_t length = text_length(line);
     shown += length == 0 ? "?" : std::string(line.substr(0, length));
     line.remove_prefix(std::max<std::size_t>(length, 1));
     ++characters;

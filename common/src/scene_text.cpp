@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "fos/text.hpp"
+#include "fos/utf8.hpp"
 #include "scene_grammar.hpp"
-#include "utf8.hpp"
 
 namespace fos {
 namespace {
@@ -240,7 +240,7 @@ void read_blocks(const Reader& reader, const std::vector<Block>& blocks, SceneTe
 void require_text(const Reader& reader, std::string_view source) {
   Place place;
   while (!source.empty()) {
-    const std::size_t length = utf8_length(source);
+    const std::size_t length = text_length(source);
     if (length == 0) {
       reader.fail(place, say(text::scene_not_text,
                              {fmt::format("0x{:02X}", static_cast<unsigned char>(source[0]))}));

@@ -1,5 +1,7 @@
 #include "clean_text.hpp"
 
+#include "fos/utf8.hpp"
+
 namespace fos::grading {
 namespace {
 
@@ -26,26 +28,14 @@ char32_t shown(char32_t c) {
 }  // namespace
 
 char32_t take_character(std::string_view& text) {
-  const auto byte = [&](std::size_t i) {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
-  };
-  const unsigned first = byte(0);
-  const std::size_t size = first < 0x80                     ? 1
-                           : first >= 0xC2 && first <= 0xDF ? 2
-                           : first >= 0xE0 && first <= 0xEF ? 3
-                           : first >= 0xF0 && first <= 0xF4 ? 4
-                                                            : 0;
-  // Longer than need be, a surrogate, or beyond the last character.
-  bool good = size > 0 && !(first == 0xE0 && byte(1) < 0xA0) &&
-              !(first == 0xED && byte(1) > 0x9F) && !(first == 0xF0 && byte(1) < 0x90) &&
-              !(first == 0xF4 && byte(1) > 0x8F);
-  char32_t character = size == 1 ? first : first & (0x7FU >> size);
+  const std::size_t size = utf8_length(text);
+  const unsigned first = static_cast<unsigned char>(text.front());
+  char32_t character = size == 0 ? replacement : size == 1 ? first : first & (0x7FU >> size);
   for (std::size_t i = 1; i < size; ++i) {
-    good = good && (byte(i) & 0xC0U) == 0x80;
-    character = character << 6U | (byte(i) & 0x3FU);
+    character = character << 6U | (static_cast<unsigned char>(text[i]) & 0x3FU);
   }
-  text.remove_prefix(good ? size : 1);
-  return good ? character : replacement;
+  text.remove_prefix(size == 0 ? 1 : size);
+  return character;
 }
 
 void append_character(std::string& out, char32_t character) {
