@@ -31,12 +31,7 @@ Advice advise(const Stage& stage, const AskFrames& ask) {
 Advice advise(const Stage& stage, const std::filesystem::path& program, const Limits& limits,
               const std::stop_token& stop) {
   return advise(stage, [&](const std::vector<SceneText>& scenes) {
-    std::vector<Frame> frames;
-    for (const Asked& asked : ask_all(program, limits, scenes, stop)) {
-      const bool whole = asked.asked && asked.answer.ending == Ending::complete;
-      frames.push_back(whole ? *asked.frame : Frame());
-    }
-    return frames;
+    return frames_of(ask_all(program, limits, scenes, stop));
   });
 }
 

@@ -6,6 +6,12 @@
 
 namespace fos {
 
+std::vector<Frame> frames_of(const std::vector<Asked>& answers) {
+  std::vector<Frame> frames;
+  for (const Asked& asked : answers) frames.push_back(asked.is_whole() ? *asked.frame : Frame());
+  return frames;
+}
+
 std::vector<Asked> ask_all(const std::filesystem::path& program, const Limits& limits,
                            const std::vector<SceneText>& scenes, const std::stop_token& stop) {
   const auto go_on = [&] {

@@ -18,7 +18,12 @@ struct Asked {
   Answer answer;
   std::shared_ptr<const Frame> frame;  ///< as much of it as came
   std::string printed;
+
+  bool is_whole() const { return asked && answer.ending == Ending::complete; }
 };
+
+/// What came, in the same order: an empty frame where it is not whole.
+std::vector<Frame> frames_of(const std::vector<Asked>& answers);
 
 /// Thrown where the answers are not wanted any more.
 struct Stopped : std::exception {

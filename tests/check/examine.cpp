@@ -47,9 +47,7 @@ Finding find(const Check& check, const Answers& answers) {
   bool all_asked = true;
   for (const PixelCase& pixel : check.pixels) {
     const Asked& asked = answers.of(pixel);
-    if (asked.asked && asked.answer.ending == Ending::complete && is_right(*asked.frame, pixel)) {
-      continue;
-    }
+    if (asked.is_whole() && is_right(*asked.frame, pixel)) continue;
     finding.passed = 0;
     all_asked = all_asked && asked.asked;
     if (!asked.asked || !finding.why.empty()) continue;

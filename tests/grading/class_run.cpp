@@ -12,17 +12,17 @@
 #include "fos/progress.hpp"
 #include "fos/text.hpp"
 #include "fos/whole_file.hpp"
-#include "grading/intake/result_json.hpp"
 
 namespace fos::grading {
 
 bool complete(SubmissionResult& result, const Entry& entry) {
-  const SubmissionResult before = result;
+  const bool same = result.name == entry.whose.name && result.username == entry.whose.username &&
+                    result.email == entry.whose.email && result.overrides == entry.overrides;
   result.name = entry.whose.name;
   result.username = entry.whose.username;
   result.email = entry.whose.email;
   result.overrides = entry.overrides;
-  return to_json(result) != to_json(before);
+  return !same;
 }
 
 Tally ClassRun::grade(const ClassFiles& hand_ins, const std::vector<Entry>& entries,

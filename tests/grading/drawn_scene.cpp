@@ -37,7 +37,7 @@ Thousandths moved(Thousandths v, const Thousandths& by) {
   return v;
 }
 
-/// Each nearer and smaller than the one before, about one line of sight, so that some hide others.
+/// About one line of sight, so that some hide others.
 void add_spheres(DrawnScene& scene, Random& random) {
   const int count = random.between(3, 5);
   for (int i = 0; i < count; ++i) {

@@ -91,6 +91,8 @@ struct Override {
   std::string stage;  ///< empty: the whole submission
   int points = 0;     ///< hundredths
   std::string reason;
+
+  bool operator==(const Override&) const = default;
 };
 
 struct SubmissionResult {

@@ -24,14 +24,8 @@ CheckResult line_of(Part part, const Text& words) {
   return result;
 }
 
-bool is_whole(const Asked& asked) { return asked.asked && asked.answer.ending == Ending::complete; }
-
 /// The public checks, as in `./lab check`, with why they fail.
-std::vector<CheckResult> public_checks(const StageQuestions& questions,
-                                       const std::vector<Asked>& answers) {
-  const Questions& checks = questions.checks();
-  const auto count = static_cast<std::ptrdiff_t>(checks.scenes().size());
-  const Findings findings = examine(checks, {answers.begin(), answers.begin() + count});
+std::vector<CheckResult> public_checks(const Questions& checks, const Findings& findings) {
   std::vector<CheckResult> results;
   for (std::size_t i = 0; i < findings.list.size(); ++i) {
     const Finding& finding = findings.list[i];
@@ -54,7 +48,7 @@ CheckResult drawn_scenes(const StageQuestions& questions, const std::vector<Aske
   for (std::size_t i = 0; i < questions.drawn().size(); ++i) {
     const Asked& asked = answers[questions.first_drawn() + i];
     const Cause cause =
-        is_whole(asked) ? cause_in(questions.drawn()[i]->judge(*asked.frame)) : cause_of(asked);
+        asked.is_whole() ? cause_in(questions.drawn()[i]->judge(*asked.frame)) : cause_of(asked);
     if (cause == Cause::none) ++result.passed;
     if (result.cause == Cause::none) result.cause = cause;
   }
@@ -82,7 +76,7 @@ CheckResult related(Relation relation, const StageQuestions& questions,
   const Asked& from = answers[questions.first_drawn() + base];
   const Asked& to = answers[questions.place(relation)];
   for (const Asked* asked : {&from, &to}) {
-    if (result.cause == Cause::none && !is_whole(*asked)) result.cause = cause_of(*asked);
+    if (result.cause == Cause::none && !asked->is_whole()) result.cause = cause_of(*asked);
   }
   if (result.cause != Cause::none) return result;
   const Judge& judge = *questions.drawn()[base];
@@ -151,19 +145,24 @@ Cause cause_of(const Asked& asked) {
   return Cause::infrastructure;
 }
 
-StageResult score(const StageQuestions& questions, const std::vector<Asked>& answers,
-                  const Shares& shares) {
+Findings examine_checks(const StageQuestions& questions, const std::vector<Asked>& answers) {
+  const auto count = static_cast<std::ptrdiff_t>(questions.checks().scenes().size());
+  return examine(questions.checks(), {answers.begin(), answers.begin() + count});
+}
+
+StageResult score(const StageQuestions& questions, const Findings& findings,
+                  const std::vector<Asked>& answers, const Shares& shares) {
   StageResult result;
   result.stage = questions.stage().id;
   result.most = 100 * questions.stage().points;
-  result.checks = public_checks(questions, answers);
+  result.checks = public_checks(questions.checks(), findings);
   result.checks.push_back(drawn_scenes(questions, answers));
   for (const Relation relation : relations)
     result.checks.push_back(related(relation, questions, answers));
   give_points(result, shares);
   result.status = result.points == result.most ? Status::passed : Status::failed;
   for (const Asked& asked : answers) {
-    if (!is_whole(asked) && result.cause == Cause::none) {
+    if (!asked.is_whole() && result.cause == Cause::none) {
       result.cause = cause_of(asked);
       result.program = asked.printed.substr(0, most_text);
     }
@@ -178,7 +177,7 @@ void count_carried(StageResult& result, const StageQuestions& questions,
   StageResult counted = result;
   for (CheckResult& check : counted.checks) check.passed = 0;
   const auto is_mistaken = [&](std::size_t place) {
-    return is_whole(answers[place]) &&
+    return answers[place].is_whole() &&
            mistaken.gives(questions.scenes()[place], *answers[place].frame);
   };
   const std::vector<Check>& checks = questions.checks().test().checks;

@@ -17,10 +17,13 @@ struct Shares {
   int relations = 0;
 };
 
-/// Each line of the report and the points. `answers` are for questions.scenes(), in that order.
-/// Nothing is taken for granted: what did not come, or was not asked, gives no points.
-StageResult score(const StageQuestions& questions, const std::vector<Asked>& answers,
-                  const Shares& shares);
+/// What the answers for questions.scenes(), in that order, say of the public checks.
+Findings examine_checks(const StageQuestions& questions, const std::vector<Asked>& answers);
+
+/// Each line of the report and the points. `findings` are of the same answers. Nothing is taken for
+/// granted: what did not come, or was not asked, gives no points.
+StageResult score(const StageQuestions& questions, const Findings& findings,
+                  const std::vector<Asked>& answers, const Shares& shares);
 
 /// Counts again, taking for right what the mistakes make of each scene: for a stage whose mistakes
 /// were all made, and paid for, in an earlier one. Sets `carried` where it gives more points.

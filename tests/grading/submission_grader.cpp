@@ -1,6 +1,6 @@
 #include "submission_grader.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -29,16 +29,6 @@ StageResult without_program(const Stage& stage, Status status, Cause cause) {
 std::string at_most(std::string text) {
   if (text.size() > most_text) text.resize(most_text);
   return text;
-}
-
-/// What each of these scenes gave, an empty frame for none.
-std::vector<Frame> frames_of(const std::vector<Asked>& answers) {
-  std::vector<Frame> frames;
-  for (const Asked& asked : answers) {
-    const bool whole = asked.asked && asked.answer.ending == Ending::complete;
-    frames.push_back(whole ? *asked.frame : Frame());
-  }
-  return frames;
 }
 
 /// The box ends what takes too long; this is for what escapes all else.
@@ -134,14 +124,15 @@ StageResult SubmissionGrader::ask_stage(const StageQuestions& questions, const S
   StageProgram program(stage_command(box_, program_of(questions.stage()), BoxLimits{}),
                        box_decides);
   const std::vector<Asked> answers = ask_in_turn(program, questions.scenes(), on_wait_);
-  StageResult result = score(questions, answers, course_.shares);
+  const Findings findings = examine_checks(questions, answers);
+  StageResult result = score(questions, findings, answers, course_.shares);
   result.compiler = at_most(made.output);
   if (result.status == Status::failed) {
     // What never answers would only be waited for again.
     if (result.cause != Cause::out_of_time) advise_on(result, program, questions, answers);
     if (result.cause == Cause::crashed)
       result.sanitizer = where_it_crashed(questions, file, answers);
-    make_pictures(result, questions, answers, pictures);
+    make_pictures(result, findings, pictures);
   }
   program.end();
   result.cpu_seconds = program.cpu_seconds();
@@ -155,7 +146,8 @@ void SubmissionGrader::advise_on(StageResult& result, StageProgram& program,
     return frames_of(ask_in_turn(program, scenes, on_wait_));
   });
   result.mistake = advice.mistake;
-  result.advice = advice.words;
+  const std::vector<std::string> asked = fos::questions(advice.diagnosis);
+  result.advice = asked.empty() ? advice.words : fmt::format("{}", fmt::join(asked, "\n"));
   const std::vector<MistakeMade>& certain = advice.diagnosis.certain;
   if (certain.empty() || !advice.diagnosis.one_of.empty()) return;
   const bool all_charged =
@@ -180,12 +172,8 @@ std::string SubmissionGrader::where_it_crashed(const StageQuestions& questions,
   return at_most(ask_in_turn(program, scene, on_wait_).front().printed);
 }
 
-void SubmissionGrader::make_pictures(StageResult& result, const StageQuestions& questions,
-                                     const std::vector<Asked>& answers,
+void SubmissionGrader::make_pictures(StageResult& result, const Findings& findings,
                                      const std::filesystem::path& folder) {
-  const Questions& checks = questions.checks();
-  const auto count = static_cast<std::ptrdiff_t>(checks.scenes().size());
-  const Findings findings = examine(checks, {answers.begin(), answers.begin() + count});
   if (!findings.shown || findings.shown->verdict.passes()) return;
   const std::vector<Panel> panels = panels_of(findings, difference_of(findings));
   constexpr std::array kinds{"yours", "expected", "difference"};

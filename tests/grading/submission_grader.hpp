@@ -51,8 +51,8 @@ class SubmissionGrader {
   std::filesystem::path program_of(const Stage& stage) const;
   std::string where_it_crashed(const StageQuestions& questions, const StageFile& file,
                                const std::vector<Asked>& answers);
-  void make_pictures(StageResult& result, const StageQuestions& questions,
-                     const std::vector<Asked>& answers, const std::filesystem::path& folder);
+  void make_pictures(StageResult& result, const Findings& findings,
+                     const std::filesystem::path& folder);
 
   const Course& course_;
   unsigned slot_;

@@ -50,6 +50,9 @@ Diagnosis diagnose(const Stage& stage, std::span<const Frame> frames);
 /// and where to look, a line each, the last two indented. Empty where nothing is named.
 std::vector<std::string> describe(const Diagnosis& diagnosis);
 
+/// The questions and where to look, without the names: for who is to find the mistake's name alone.
+std::vector<std::string> questions(const Diagnosis& diagnosis);
+
 /// The names alone, in one line; empty where nothing is named.
 std::string names(const Diagnosis& diagnosis);
 

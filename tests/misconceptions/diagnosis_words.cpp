@@ -10,13 +10,18 @@ std::string where(const MistakeMade& finding) {
   return name;
 }
 
+void add_question(std::vector<std::string>& lines, const MistakeMade& finding,
+                  const std::string& indent) {
+  const Misconception& mistake = misconception(finding.mistake);
+  lines.push_back(indent + say(mistake.question));
+  lines.push_back(indent + say(text::diagnosis_look, {say(mistake.look)}));
+}
+
 void add_words(std::vector<std::string>& lines, const std::vector<MistakeMade>& findings,
                const std::string& indent) {
   for (const MistakeMade& finding : findings) {
-    const Misconception& mistake = misconception(finding.mistake);
     lines.push_back(indent + where(finding));
-    lines.push_back(indent + "  " + say(mistake.question));
-    lines.push_back(indent + "  " + say(text::diagnosis_look, {say(mistake.look)}));
+    add_question(lines, finding, indent + "  ");
   }
 }
 
@@ -36,6 +41,15 @@ std::string names(const Diagnosis& diagnosis) {
     }
   }
   return words;
+}
+
+std::vector<std::string> questions(const Diagnosis& diagnosis) {
+  std::vector<std::string> lines;
+  for (const MistakeMade& made : diagnosis.certain) add_question(lines, made, "");
+  for (const auto& each : diagnosis.one_of) {
+    for (const MistakeMade& made : each) add_question(lines, made, "");
+  }
+  return lines;
 }
 
 std::vector<std::string> describe(const Diagnosis& diagnosis) {
