@@ -1,5 +1,5 @@
 // tries: crashes in the last row of a right frame
-// deserves: point nothing
+// deserves: point in_part 40
 #include <cstdlib>
 
 #include "fos/closest_hit.hpp"

@@ -1,5 +1,5 @@
 // tries: mixes bytes of its own into the frame that the toolkit sends
-// deserves: point nothing
+// deserves: point in_part 40
 #include <unistd.h>
 
 #include "fos/closest_hit.hpp"
