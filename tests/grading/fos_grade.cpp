@@ -10,7 +10,6 @@
 #include <ctime>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <iostream>
 #include <random>
 
@@ -99,9 +98,8 @@ BoxSetting find_box(const GradeOptions& options, const Workshop& workshop,
   return setting.box;
 }
 
-/// Each hand-in with its key, its student and its instructor's marks.
-std::vector<Entry> entries_of(const ClassFiles& hand_ins, const GradeOptions& options,
-                              const std::function<std::string(const HandIn&)>& key) {
+/// Each hand-in with its student and its instructor's marks; its key is not known yet.
+std::vector<Entry> entries_of(const ClassFiles& hand_ins, const GradeOptions& options) {
   std::vector<Whose> people;
   for (std::size_t i = 0; i < hand_ins.size(); ++i) people.push_back(hand_ins.whose(i));
   if (!options.roster.empty()) {
@@ -115,9 +113,7 @@ std::vector<Entry> entries_of(const ClassFiles& hand_ins, const GradeOptions& op
     check_overrides(overrides, people);
   }
   std::vector<Entry> entries;
-  for (std::size_t i = 0; i < people.size(); ++i) {
-    entries.push_back({people[i], key(hand_ins.read(i)), overrides_of(overrides, people[i])});
-  }
+  for (const Whose& whose : people) entries.push_back({whose, "", overrides_of(overrides, whose)});
   return entries;
 }
 
@@ -125,6 +121,7 @@ int grade(const GradeOptions& options) {
   const ClassFiles hand_ins = read_class(options.path, stages);
   std::cerr << hand_ins.words() << '\n';
   for (const std::string& note : hand_ins.notes()) std::cerr << note << '\n';
+  std::vector<Entry> entries = entries_of(hand_ins, options);
 
   Journal journal(options.output);
   journal.load();
@@ -149,16 +146,16 @@ int grade(const GradeOptions& options) {
   settings +=
       fmt::format("{} {} {}", course.shares.checks, course.shares.scenes, course.shares.relations);
 
-  const Run run{options.path.filename().string(),
+  const Run run{fs::absolute(options.path / ".").parent_path().filename().string(),
                 toolkit_version(options.root, options.build),
                 course.seed,
                 std::string(name(course.box.level)),
                 options.feedback,
                 now()};
   write_whole_file(options.output / "run.json", to_json(run));
-  const std::vector<Entry> entries = entries_of(hand_ins, options, [&](const HandIn& hand_in) {
-    return result_key(hand_in, run.seed, run.toolkit, settings);
-  });
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    entries[i].key = result_key(hand_ins.read(i), run.seed, run.toolkit, settings);
+  }
   const ClassRun class_run(course, options, run, work.path());
   const Tally tally = class_run.grade(hand_ins, entries, journal, interrupted);
   for (const std::string& refused : class_run.report(entries, journal))
