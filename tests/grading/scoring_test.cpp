@@ -95,6 +95,26 @@ TEST_CASE("nothing that came gives no points") {
   CHECK(scored(questions, crashed).cause == Cause::crashed);
 }
 
+TEST_CASE("what is unwritten, and what is no number, is told as that") {
+  const StageQuestions& questions = questions_of("ambient");
+  std::vector<Asked> unwritten;
+  std::vector<Asked> not_finite;
+  for (const Asked& asked : answers(questions, {})) {
+    Frame frame = *asked.frame;
+    std::fill(frame.unwritten.begin(), frame.unwritten.end(), 1);
+    unwritten.push_back(whole(frame));
+    frame = *asked.frame;
+    std::fill(frame.channels.begin(), frame.channels.end(), std::nanl(""));
+    not_finite.push_back(whole(frame));
+  }
+  for (const auto& [all, cause] :
+       {std::pair(&unwritten, Cause::unwritten), std::pair(&not_finite, Cause::not_finite)}) {
+    const auto result = scored(questions, *all);
+    CHECK(result.points == 0);
+    for (const CheckResult& check : result.checks) CHECK(check.cause == cause);
+  }
+}
+
 TEST_CASE("a relation holds of right frames alone") {
   const StageQuestions& questions = questions_of("combined");
   const std::vector<Asked> right = answers(questions, {});

@@ -26,6 +26,9 @@ CheckResult line_of(Part part, const Text& words) {
 
 /// The public checks, as in `./lab check`, with why they fail.
 std::vector<CheckResult> public_checks(const Questions& checks, const Findings& findings) {
+  // The frame that is shown stands for all of them: NaN and unwritten pixels are told apart there.
+  const Cause shown = findings.shown ? cause_in(findings.shown->verdict) : Cause::none;
+  const Cause why = shown == Cause::none ? Cause::wrong_pixels : shown;
   std::vector<CheckResult> results;
   for (std::size_t i = 0; i < findings.list.size(); ++i) {
     const Finding& finding = findings.list[i];
@@ -36,7 +39,7 @@ std::vector<CheckResult> public_checks(const Questions& checks, const Findings& 
     result.things = finding.things;
     result.why = finding.why;
     result.status = finding.passed == finding.things ? Status::passed : Status::failed;
-    if (result.status == Status::failed) result.cause = Cause::wrong_pixels;
+    if (result.status == Status::failed) result.cause = why;
     results.push_back(std::move(result));
   }
   return results;
