@@ -8,6 +8,7 @@ namespace fos {
 
 std::vector<Frame> frames_of(const std::vector<Asked>& answers) {
   std::vector<Frame> frames;
+  frames.reserve(answers.size());
   for (const Asked& asked : answers) frames.push_back(asked.is_whole() ? *asked.frame : Frame());
   return frames;
 }

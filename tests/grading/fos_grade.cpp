@@ -101,6 +101,7 @@ BoxSetting find_box(const GradeOptions& options, const Workshop& workshop,
 /// Each hand-in with its student and its instructor's marks; its key is not known yet.
 std::vector<Entry> entries_of(const ClassFiles& hand_ins, const GradeOptions& options) {
   std::vector<Whose> people;
+  people.reserve(hand_ins.size());
   for (std::size_t i = 0; i < hand_ins.size(); ++i) people.push_back(hand_ins.whose(i));
   if (!options.roster.empty()) {
     for (const std::string& line : match(read_roster(options.roster), people).words) {

@@ -1,5 +1,7 @@
 // From answers to points, with the tracer that makes mistakes in the place of students' programs.
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 #include "catch2.hpp"
 #include "scene_at.hpp"
@@ -128,7 +130,7 @@ TEST_CASE("a relation holds of right frames alone") {
     const auto other = static_cast<Relation>((static_cast<std::size_t>(relation) + 1) % 3);
     CHECK_FALSE(holds(relation, true, judge, from, *right[questions.place(other)].frame));
     Frame off = to;
-    off.channels[off.channels.size() / 2 + 3 * 48] += 1;  // in the middle of a row
+    off.channels[off.channels.size() / 2 + 144] += 1;  // in the middle of a row
     CHECK_FALSE(holds(relation, true, judge, from, off));
   }
 }

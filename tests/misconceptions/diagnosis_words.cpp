@@ -4,7 +4,7 @@ namespace fos {
 namespace {
 
 std::string where(const MistakeMade& finding) {
-  const std::string name = say(misconception(finding.mistake).name);
+  std::string name = say(misconception(finding.mistake).name);
   if (finding.where == Where::point_lights) return say(text::diagnosis_point, {name});
   if (finding.where == Where::directional_lights) return say(text::diagnosis_directional, {name});
   return name;
