@@ -15,6 +15,7 @@ heavy_checks() {
   step random ctest random_scenes
   step browser chromedriver browser_page
   step report chromedriver report_pages
+  step red_team bwrap red_team
   step fuzz clang++ fuzz_scene
   ((NOT_RUN)) && say lab_steps_not_run "$NOT_RUN"
   say lab_steps_sum "$PASSED" "$FAILED"
@@ -63,7 +64,8 @@ check_shell() {
 # end in another way.
 clang_tree() {
   cmake -S "$ROOT" -B "$BUILD_CLANG" -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DFOS_WERROR=ON \
-    -DFOS_SANITIZE=ON -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS='-O1 -gline-tables-only' &&
+    -DFOS_SANITIZE=ON -DCMAKE_BUILD_TYPE=None \
+    -DCMAKE_CXX_FLAGS='-O1 -gline-tables-only -Wreserved-identifier' &&
     build "$BUILD_CLANG" all &&
     run_ctest "$BUILD_CLANG" \
       -E '^((box|command|proof|watch)_.*|check|grade|fos_check|explain|submissions|misconceptions|mistake.*|broken.*)$'
@@ -79,6 +81,9 @@ browser_page() { build "$BUILD" all && "$ROOT/tests/watch/viewer_test.sh" "$ROOT
 
 # The reports of ./lab grade in one.
 report_pages() { build "$BUILD" all && "$ROOT/tests/grading/report/report_test.sh" "$ROOT" "$BUILD"; }
+
+# The evil submissions before the whole grader.
+red_team() { build "$BUILD" all && "$ROOT/tests/grading/self_test.sh" "$ROOT" "$BUILD"; }
 
 # The reader of scene files against a minute of hostile ones, beginning with the committed corpus.
 fuzz_scene() {

@@ -2,9 +2,9 @@
 """tidy.py COMPILE_COMMANDS FOLDER: every source of ours before clang-tidy, once; 1 if it finds something.
 
 Nearly all of its time goes into the headers, so the sources of one folder are looked at together: each
-unit, a file in FOLDER, includes up to a dozen of them. Two that have a helper of the same name stand in
+unit, a file in FOLDER, includes up to two dozen of them. Two that have a helper of the same name stand in
 two units. Where the names do not show that files get in each other's way, the unit does not compile, and
-its files are looked at one by one.
+its halves are looked at.
 """
 
 import json
@@ -15,12 +15,13 @@ import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 
-MOST_FILES = 12
+MOST_FILES = 24
+OF_UNITS = ["-Wno-shadow", "-Wno-return-type"]  # a name of one file in another's sight, and main_0
 UNNAMED = re.compile(r"^namespace \{$.*?^\}  // namespace$", re.M | re.S)
 # What is named at the beginning of a line: types, macros, and the word before a bracket, a brace or =.
 NAMES = re.compile(
     r"^(?:#define|struct|class|enum class|using|concept) (?:\w+::)*(\w+)"
-    r"|^(?!using|namespace|return|TEST_CASE|template)[\w:<>,&*\[\] ]+?[ &*](\w+)(?:\[[^\]]*\])?(?: =|[({;])",
+    r"|^(?!\s|using|namespace|return|TEST_CASE|template)[\w:<>,&*\[\] ]+?[ &*](\w+)(?:\[[^\]]*\])?(?: =|[({;])",
     re.M)
 
 
@@ -30,7 +31,7 @@ def own_names(path):
         text = file.read()
     names = {word for part in UNNAMED.findall(text) for pair in NAMES.findall(part) for word in pair}
     names |= set(re.findall(r"^#define (\w+)", text, re.M))
-    return (names | ({"main"} if "\nint main(" in text else set())) - {""}
+    return names - {""}
 
 
 def definitions(options):
@@ -80,13 +81,22 @@ def tidy(folder, path):
     return run.returncode, words
 
 
-def look_at(folder, number, unit):
-    """Where a unit does not compile, the words are those of its files."""
-    if len(unit.entries) > 1:
-        status, words = tidy(folder, os.path.join(folder, f"unit{number}.cpp"))
-        if "[clang-diagnostic-" not in words:
-            return [(status, words)]
-    return [tidy(folder, entry["file"]) for entry in unit.entries]
+def write_unit(path, entries):
+    with open(path, "w", encoding="utf-8") as file:
+        for own, entry in enumerate(entries):
+            file.write(f'#define main main_{own}\n#include "{entry["file"]}"\n#undef main\n')
+
+
+def look_at(folder, path, entries):
+    """Where a unit does not compile, its halves are looked at."""
+    if len(entries) == 1:
+        return [tidy(folder, entries[0]["file"])]
+    write_unit(path, entries)
+    status, words = tidy(folder, path)
+    if "[clang-diagnostic-" not in words:
+        return [(status, words)]
+    half = len(entries) // 2
+    return look_at(folder, path, entries[:half]) + look_at(folder, path, entries[half:])
 
 
 def main():
@@ -95,17 +105,16 @@ def main():
     with open(sys.argv[1], encoding="utf-8") as file:
         units = units_of(json.load(file))
     seen = [entry for unit in units for entry in unit.entries]
-    for number, unit in enumerate(units):
-        path = os.path.join(folder, f"unit{number}.cpp")
-        with open(path, "w", encoding="utf-8") as file:
-            file.writelines(f'#include "{entry["file"]}"\n' for entry in unit.entries)
+    paths = [os.path.join(folder, f"unit{number}.cpp") for number in range(len(units))]
+    for path, unit in zip(paths, units):
         seen.append({"directory": unit.entries[0]["directory"], "file": path,
-                     "arguments": ["clang++", *unit.options, "-c", path]})
+                     "arguments": ["clang++", *unit.options, *OF_UNITS, "-c", path]})
     with open(os.path.join(folder, "compile_commands.json"), "w", encoding="utf-8") as file:
         json.dump(seen, file, indent=1)
-    units_by_size = sorted(enumerate(units), key=lambda pair: -len(pair[1].entries))
+    by_size = sorted(zip(paths, units), key=lambda pair: -len(pair[1].entries))
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        results = [each for found in pool.map(lambda pair: look_at(folder, *pair), units_by_size) for each in found]
+        results = [each for found in pool.map(lambda pair: look_at(folder, pair[0], pair[1].entries), by_size)
+                   for each in found]
     for status, words in results:
         if status != 0:
             print(words, end="")

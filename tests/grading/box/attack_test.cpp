@@ -101,8 +101,8 @@ TEST_CASE("it reads nothing that is not shown") {
   std::vector<std::string> paths{secret_file().string()};
   if (box_under_test()->level != Level::uid) {
     paths.insert(paths.end(),
-                 {test_folder().string(), solution(), FOS_SOURCE_FOLDER "/tests", "/etc/passwd",
-                  "/etc/shadow", "/root", "/home", "/var", "/usr/local", "/tmp/.."});
+                 {test_folder().string(), solution(), std::string(FOS_SOURCE_FOLDER) + "/tests",
+                  "/etc/passwd", "/etc/shadow", "/root", "/home", "/var", "/usr/local", "/tmp/.."});
     if (box_under_test()->level == Level::bubblewrap) paths.resize(paths.size() - 1);
   }
   const auto result = run(make_box(), attack("reads", paths));

@@ -109,7 +109,7 @@ TEST_CASE("nothing that the box does not show gets into a program or a message")
   const auto included = compile_text("#include \"" + secret + "\"\n" + black);
   CHECK(included.result.ending == CompileEnding::rejected);
   CHECK(included.result.output.find("the reference") == std::string::npos);
-  const auto assembled = compile_text(black + "asm(\".incbin \\\"" + secret + "\\\"\");\n");
+  const auto assembled = compile_text(black + R"(asm(".incbin \")" + secret + R"(\"");)" + "\n");
   CHECK(assembled.result.ending == CompileEnding::rejected);
   if (make_box().level() != Level::uid) {
     const auto passwd = compile_text("#include \"/etc/passwd\"\n" + black);

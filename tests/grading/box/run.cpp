@@ -61,7 +61,7 @@ class Running {
 
   /// Reads some of the output, if there is any. False once there is no more room.
   bool read_output(std::string& output, std::size_t most, bool cut) {
-    std::array<char, 16 * 1024> bytes{};
+    std::array<char, std::size_t{16} * 1024> bytes{};
     const ssize_t count = read(heard_.number(), bytes.data(), bytes.size());
     if (count == 0) heard_.shut();
     if (count <= 0) return true;
@@ -111,6 +111,7 @@ class Running {
     posix_spawn_file_actions_addopen(&actions, 3, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_adddup2(&actions, theirs.number(), supervision::descriptor);
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (auto& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     std::array<char*, 1> environment{nullptr};
