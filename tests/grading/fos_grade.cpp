@@ -114,6 +114,7 @@ std::vector<Entry> entries_of(const ClassFiles& hand_ins, const GradeOptions& op
     check_overrides(overrides, people);
   }
   std::vector<Entry> entries;
+  entries.reserve(people.size());
   for (const Whose& whose : people) entries.push_back({whose, "", overrides_of(overrides, whose)});
   return entries;
 }

@@ -133,7 +133,7 @@ TEST_CASE("a frame that is not finished or not finite has no name") {
   frames[1].channels[300] = std::numeric_limits<long double>::quiet_NaN();
   CHECK_FALSE(diagnose(stage, frames).named());
   frames = wrong;
-  frames[2].channels[3 * 400] += 2;  // one channel of one pixel
+  frames[2].channels[std::size_t{3} * 400] += 2;  // one channel of one pixel
   CHECK_FALSE(diagnose(stage, frames).named());
 }
 

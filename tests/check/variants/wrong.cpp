@@ -84,13 +84,13 @@ Color changed(Color color) {
 
 }  // namespace
 
-Color trace_ray(const Vec3& O, const Vec3& D, Real t_min, Real t_max, const Scene& given) {
+Color trace_ray(const Vec3& O, const Vec3& D, Real t_min, Real t_max, const Scene& scene) {
   if (is("t_min_nearly")) t_min = Real(0.9);
   if (is("far_is_1000")) t_max = 1000;
-  const Scene scene = changed(given, O);
-  const auto seen = MistakenTracer<Real, Scene>(scene, terms, mistakes).trace(O, D, t_min, t_max);
+  const Scene its = changed(scene, O);
+  const auto seen = MistakenTracer<Real, Scene>(its, terms, mistakes).trace(O, D, t_min, t_max);
   if (seen.sphere == 0) return seen.color;
-  const Color& color = scene.spheres[static_cast<std::size_t>(seen.sphere) - 1].color;
+  const Color& color = its.spheres[static_cast<std::size_t>(seen.sphere) - 1].color;
   if (is("gamma")) return color * std::sqrt(std::max<Real>(0, seen.I));
   return changed(seen.color);
 }

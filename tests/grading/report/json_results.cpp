@@ -1,5 +1,6 @@
 // Everything that is JSON: the one file that includes the library for it, for it takes the compiler
 // seconds.
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "clean_text.hpp"
@@ -25,10 +26,8 @@ std::string dump(const Json& json, int indent) {
 }
 
 bool is_marked(const SubmissionResult& submission, const std::string& stage) {
-  for (const Override& own : submission.overrides) {
-    if (own.stage == stage) return true;
-  }
-  return false;
+  return std::ranges::any_of(submission.overrides,
+                             [&](const Override& own) { return own.stage == stage; });
 }
 
 /// Whether the stage's points are final.
