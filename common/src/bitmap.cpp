@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 
 #include "fos/scene_text.hpp"
@@ -61,11 +62,12 @@ Bitmap shrunk(const Bitmap& bitmap, int width, int height) {
             &bitmap.rgb[3 *
                         ((rows.first + y) * static_cast<std::size_t>(bitmap.width) + column.first)];
         for (const float share : column.shares) {
-          for (float& channel : sum) channel += rows.shares[y] * share * *pixel++;
+          for (float& channel : sum)
+            channel += rows.shares[y] * share * static_cast<float>(*pixel++);
         }
       }
       for (const float channel : sum) {
-        out.rgb.push_back(static_cast<std::uint8_t>(channel + 0.5F));
+        out.rgb.push_back(static_cast<std::uint8_t>(std::lround(channel)));
       }
     }
   }

@@ -1,5 +1,6 @@
 #include "compile_words.hpp"
 
+#include <algorithm>
 #include <initializer_list>
 #include <optional>
 
@@ -14,10 +15,7 @@ bool has(std::string_view text, std::string_view words) {
   return text.find(words) != std::string_view::npos;
 }
 bool has_any(std::string_view text, std::initializer_list<std::string_view> words) {
-  for (const std::string_view each : words) {
-    if (has(text, each)) return true;
-  }
-  return false;
+  return std::ranges::any_of(words, [&](std::string_view each) { return has(text, each); });
 }
 
 bool is_vector(std::string_view type) { return has_any(type, {"Vec3", "Color"}); }

@@ -18,7 +18,7 @@ TEST_CASE("lines are broken between words, at the width") {
   CHECK(wrapped("much-too-long-a-word it is", 0, 8) == "much-too-long-a-word\nit is\n");
   CHECK(wrapped("a  table   stays\nline by line", 1, 20) == " a  table   stays\n line by line\n");
   CHECK(wrapped("  a margin stays", 1, 12) == "   a margin\n   stays\n");
-  CHECK(wrapped("") == "");
+  CHECK(wrapped("").empty());
 }
 
 TEST_CASE("without colors words are plain") {

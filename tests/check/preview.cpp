@@ -66,7 +66,7 @@ std::string cell(Colors colors, const Rgb& above, const Rgb& below) {
   return {dark_to_light[static_cast<std::size_t>(mean * 9 / 255)]};
 }
 
-std::string padded(std::string text, int columns) {
+std::string padded(const std::string& text, int columns) {
   std::string cut;
   for (const char byte : text) {
     if ((static_cast<unsigned char>(byte) & 0xC0) != 0x80 && columns_of(cut) >= columns) break;

@@ -47,7 +47,7 @@ TEST_CASE("a picture made smaller has the mean of what each pixel covers") {
 }
 
 TEST_CASE("a picture made smaller keeps white white at any size") {
-  const Bitmap white{37, 23, std::vector<std::uint8_t>(37 * 23 * 3, 255)};
+  const Bitmap white{37, 23, std::vector<std::uint8_t>(std::size_t{37} * 23 * 3, 255)};
   for (int width = 1; width <= 37; ++width) {
     const Bitmap small = shrunk(white, width, 23 * width / 37 + 1);
     CHECK(std::count(small.rgb.begin(), small.rgb.end(), 255) ==

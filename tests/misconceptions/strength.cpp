@@ -73,6 +73,7 @@ std::optional<int> power_of_distance(const std::vector<Lit>& pixels) {
 Strength strength_of(const std::vector<Lit>& pixels) {
   if (pixels.size() < fewest) return {Dependence::unknown, 1, {}};
   std::vector<Range> ratios;
+  ratios.reserve(pixels.size());
   for (const Lit& pixel : pixels) ratios.push_back(pixel.ratio);
   if (const auto factor = common(ratios)) {
     const bool is_1 = factor->low <= 1 && 1 <= factor->high;

@@ -127,6 +127,7 @@ std::vector<ValuesPart> values_scripts(const Shown& shown, const std::string& id
     }
   });
   std::vector<ValuesPart> parts;
+  parts.reserve(bytes.size());
   for (const auto& [number, data] : bytes) {
     parts.push_back({number, "fosValues(" +
                                  object({{"id", json_string(id)},

@@ -69,7 +69,7 @@ TEST_CASE("a busy machine fails nobody") {
   FOS_NEEDS_BOX();
   const Box box = make_box();
   std::atomic<bool> stop{false};
-  std::vector<std::thread> others(16 * std::thread::hardware_concurrency());
+  std::vector<std::thread> others(std::size_t{16} * std::thread::hardware_concurrency());
   for (auto& other : others) {
     other = std::thread([&stop] {
       while (!stop) {

@@ -113,8 +113,9 @@ TEST_CASE("The page of a class of none, of one and of many") {
   CHECK(has(one, R"(href="submissions/nikos-georgiou/index.html")"));
   CHECK(has(one, "37.5 / 100"));
   std::vector<Summary> all;
+  all.reserve(2000);
   for (int i = 0; i < 2000; ++i) all.push_back(summarize(example_submission(i)));
-  CHECK(class_page(example_run(), all).size() < 4 * 1024 * 1024UL);
+  CHECK(class_page(example_run(), all).size() < std::size_t{4} * 1024 * 1024);
 }
 
 TEST_CASE("Only the files that are asked for, in a folder of their own") {
