@@ -1,0 +1,10 @@
+"""What MkDocs asks while it makes one language of the site."""
+
+OTHER = {"en": ("el", "Ελληνικά"), "el": ("en", "English")}
+
+
+def on_page_content(html, page, config, files):
+    """Each page begins with the way to the same page in the other language."""
+    language, _, name = page.file.url.partition("/")
+    other, words = OTHER[language]
+    return f'<a class="language" lang="{other}" hreflang="{other}" href="../{other}/{name}">{words}</a>\n{html}'
