@@ -7,6 +7,7 @@ declare -A PACKAGES=(
   [test]="catch2 libmpfi-dev libgmp-dev libmpfr-dev libhwy-dev"
   [grade]="bubblewrap libzip-dev libmd-dev nlohmann-json3-dev"
   [plot]="gnuplot-nox"
+  [figures]="lld wasi-libc"
   [docs]="mkdocs mkdocs-material libjs-katex fonts-katex"
   [check]="clang clang-format clang-tidy libclang-rt-dev shellcheck chromium chromium-driver libxml2-utils"
 )

@@ -3,7 +3,8 @@
 
 # docs: MkDocs makes each language by itself; both share the pictures, figures and styles beside them.
 docs() {
-  local work=$ROOT/build/site-parts site=$ROOT/build/site katex=/usr/share/javascript/katex language
+  local work=$ROOT/build/site-parts site=$ROOT/build/site language
+  local katex=${FOS_KATEX:-/usr/share/javascript/katex}
   (($# == 0)) || fail 2 lab_takes_nothing docs "$1"
   set_up build figures docs
   command -v mkdocs >/dev/null || give_up lab_no_mkdocs
@@ -16,7 +17,7 @@ docs() {
   rm -rf "$work" && mkdir -p "$work/site" || exit 3
   for language in en el; do
     make_site "$language" >"$work/$language.log" 2>&1 && continue
-    grep -E '(WARNING|ERROR) ' "$work/$language.log" >&2
+    tail -n 12 "$work/$language.log" >&2
     fail 1 lab_site_failed "$work/$language.log"
   done
   cp "$ROOT/docs/site/index.html" "$work/site/index.html" && rm -rf "$site" && mv "$work/site" "$site" || exit 3

@@ -31,9 +31,8 @@ make_tree() {
     touch "$TREE/solutions/$stage.cpp"
     echo "the stub of $stage" | tee "$TREE/labs/$stage.cpp" >"$TREE/tests/check/shipped/$stage.cpp"
   done
-  for name in g++ cmake ninja-build libglm-dev libfmt-dev tao-pegtl-dev libopenimageio-dev openimageio-tools \
-    fonts-dejavu-core catch2 libmpfi-dev libgmp-dev libmpfr-dev libhwy-dev zlib1g-dev libzip-dev libmd-dev nlohmann-json3-dev gnuplot-nox clang clang-format \
-    clang-tidy libclang-rt-dev shellcheck chromium chromium-driver bubblewrap libxml2-utils; do
+  # shellcheck disable=SC2016 # the other bash expands it
+  for name in $(ROOT='' bash -c 'source "$1" && echo "${PACKAGES[*]}"' _ "$SOURCE/cmake/packages.bash"); do
     touch "$STATE/installed-$name"
   done
   touch "$STATE/lists" "$STATE/network"
@@ -53,7 +52,7 @@ make_machine() {
   local name
   rm -rf "${WORK:?}/bin"
   mkdir -p "$WORK/bin"
-  for name in bash readlink mkdir rm cp mv cat tail head tee tr od stat env nproc touch iconv find; do
+  for name in bash readlink mkdir rm cp mv cat tail head tee tr od stat env nproc touch iconv find ln; do
     ln -s "$(command -v "$name")" "$WORK/bin/$name"
   done
 
