@@ -9,7 +9,8 @@
 #                                           tests/misconceptions/submissions
 #   <!-- run: read TEXT -->                 what is said of a scene file with this text
 # Programs speak the language of the page.
-root=$1 bin=$2 write=${3-}
+root=$1 write=${3-}
+bin=$(cd "$2" && pwd) || exit 3
 shipped=tests/check/shipped # the stubs: those in labs may be filled in
 cd "$root" || exit 3
 work=$(mktemp -d) || exit 3
