@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "fos/byte_rule.hpp"
 #include "fos/scene_text.hpp"
 
 namespace fos {
@@ -96,14 +97,7 @@ Row decode_row(const FrameHeader& header, std::span<const char> bytes) {
   return row;
 }
 
-std::uint8_t to_byte(long double channel) {
-  // In steps that are exact, and many times faster than nearbyintl.
-  const long double clamped = std::clamp(channel, 0.0L, 255.0L);
-  const int below = static_cast<int>(clamped);
-  const long double rest = clamped - static_cast<long double>(below);
-  const bool up = rest > 0.5L || (rest == 0.5L && below % 2 == 1);
-  return static_cast<std::uint8_t>(up ? below + 1 : below);
-}
+std::uint8_t to_byte(long double channel) { return nearest_byte(channel); }
 
 bool is_finite(std::span<const long double, 3> pixel) {
   return std::all_of(pixel.begin(), pixel.end(), [](long double c) { return std::isfinite(c); });
@@ -116,7 +110,9 @@ std::array<long double, 3> shown(std::span<const long double, 3> pixel, bool unw
     const long double grey = light ? 208 : 176;
     return {grey, grey, grey};
   }
-  if (!is_finite(pixel)) return {255, 0, 255};
+  if (!is_finite(pixel)) {
+    return {not_finite_color[0], not_finite_color[1], not_finite_color[2]};
+  }
   return {pixel[0], pixel[1], pixel[2]};
 }
 

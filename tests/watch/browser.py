@@ -60,6 +60,12 @@ class Browser:
             with open(f"{self.folder}/{name}.png", "wb") as out:
                 out.write(base64.b64decode(self.ask("GET", "/screenshot")))
 
+    def element_screenshot(self, selector, path):
+        element = self.run(f"return document.querySelector({json.dumps(selector)})")
+        name = next(iter(element.values()))
+        with open(path, "wb") as out:
+            out.write(base64.b64decode(self.ask("GET", f"/element/{name}/screenshot")))
+
     def check_quiet(self):
         """Nothing was asked of anyone else, and nothing went wrong on the way."""
         names = self.run("return performance.getEntriesByType('resource').map((e) => e.name)")
