@@ -16,8 +16,9 @@ struct Merged {
 };
 
 /// Writes into `options.output` what one run over the whole class would have written there:
-/// results, pictures, pages, the files of the class. Throws FileError, before anything is written,
-/// where the parts are not all there, finished, and of one run.
+/// results, pictures, pages, the files of the class. Throws FileError where the parts are not all
+/// there, finished, and of one run (then nothing is written), or where one of their results is
+/// damaged.
 Merged merge_parts(const GradeOptions& options);
 
 }  // namespace fos::grading
