@@ -14,6 +14,17 @@
 #include "fos/whole_file.hpp"
 
 namespace fos::grading {
+namespace {
+
+/// What pages hang on besides the results.
+std::string signature(const GradeOptions& options) {
+  std::string words =
+      fmt::format("{} {}", name(options.feedback), language() == Language::el ? "el" : "en");
+  for (const ReportFormat format : options.formats) words += fmt::format(" {}", name(format));
+  return words + "\n";
+}
+
+}  // namespace
 
 bool complete(SubmissionResult& result, const Entry& entry) {
   const bool same = result.name == entry.whose.name && result.username == entry.whose.username &&
@@ -29,10 +40,10 @@ Tally ClassRun::grade(const ClassFiles& hand_ins, const std::vector<Entry>& entr
                       Journal& journal, const std::atomic<bool>& stop) const {
   Tally tally;
   std::vector<std::size_t> left;
-  for (std::size_t i = 0; i < hand_ins.size(); ++i) {
+  for (std::size_t i = 0; i < entries.size(); ++i) {
     if (!journal.is_finished(entries[i].whose.id, entries[i].key)) left.push_back(i);
   }
-  tally.finished_before = hand_ins.size() - left.size();
+  tally.finished_before = entries.size() - left.size();
 
   const ReportSettings settings{options_.formats};
   std::mutex busy;
@@ -44,7 +55,7 @@ Tally ClassRun::grade(const ClassFiles& hand_ins, const std::vector<Entry>& entr
     const std::scoped_lock lock(busy);
     if (next == left.size() || ended()) return false;
     place = left[next++];
-    hand_in = hand_ins.read(place);
+    hand_in = hand_ins.read(entries[place].place);
     return true;
   };
   const auto wait = [&] {
@@ -85,12 +96,12 @@ Tally ClassRun::grade(const ClassFiles& hand_ins, const std::vector<Entry>& entr
   return tally;
 }
 
-std::vector<std::string> ClassRun::report(const std::vector<Entry>& entries,
-                                          Journal& journal) const {
-  const ReportSettings settings{options_.formats};
+std::vector<std::string> report_class(const GradeOptions& options, const Run& run,
+                                      const std::vector<Entry>& entries, Journal& journal) {
+  const ReportSettings settings{options.formats};
   // Pages of other formats, words or feedback than those that are there are written anew.
-  const std::filesystem::path note = options_.output / "reports.txt";
-  const std::string written = signature();
+  const std::filesystem::path note = options.output / "reports.txt";
+  const std::string written = signature(options);
   std::ifstream in(note);
   const bool anew = written != std::string{std::istreambuf_iterator<char>(in), {}};
   std::vector<Summary> all;
@@ -99,19 +110,12 @@ std::vector<std::string> ClassRun::report(const std::vector<Entry>& entries,
     if (!result) continue;
     const bool changed = complete(*result, entry);
     if (changed) journal.write(*result);
-    if (changed || anew) write_submission_files(options_.output, run_, *result, settings);
+    if (changed || anew) write_submission_files(options.output, run, *result, settings);
     all.push_back(summarize(*result));
   }
-  std::vector<std::string> refused = write_class_files(options_.output, run_, all, settings);
+  std::vector<std::string> refused = write_class_files(options.output, run, all, settings);
   write_whole_file(note, written);
   return refused;
-}
-
-std::string ClassRun::signature() const {
-  std::string words =
-      fmt::format("{} {}", name(options_.feedback), language() == Language::el ? "el" : "en");
-  for (const ReportFormat format : options_.formats) words += fmt::format(" {}", name(format));
-  return words + "\n";
 }
 
 }  // namespace fos::grading

@@ -28,12 +28,18 @@ struct Entry {
   Whose whose;  ///< with what a roster says
   std::string key;
   std::vector<Override> overrides;
+  std::size_t place = 0;  ///< of the hand-in in the class
 };
 
 /// Puts what is known of a hand-in into its result; whether that changes it.
 bool complete(SubmissionResult& result, const Entry& entry);
 
-/// Grades what the journal does not have yet; `entries` are those of the hand-ins. Each result is
+/// Of all entries, those that were graded before too: their pages where a roster or an override has
+/// changed them, and the files of the class. What platforms would refuse, in words.
+std::vector<std::string> report_class(const GradeOptions& options, const Run& run,
+                                      const std::vector<Entry>& entries, Journal& journal);
+
+/// Grades what of the entries the journal does not have yet. Each result is
 /// on the disk as soon as it is there, with its pages, so a run that ends early loses only what is
 /// at hand. Throws Interrupted soon after `stop` is set, and FileError where results cannot be
 /// written any more.
@@ -46,13 +52,7 @@ class ClassRun {
   Tally grade(const ClassFiles& hand_ins, const std::vector<Entry>& entries, Journal& journal,
               const std::atomic<bool>& stop) const;
 
-  /// Of all entries, those that were graded before too: their pages where a roster or an override
-  /// has changed them, and the files of the class. What platforms would refuse, in words.
-  std::vector<std::string> report(const std::vector<Entry>& entries, Journal& journal) const;
-
  private:
-  std::string signature() const;
-
   const Course& course_;
   const GradeOptions& options_;
   const Run& run_;

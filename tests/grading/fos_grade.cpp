@@ -20,12 +20,14 @@
 #include "grading/box/probe.hpp"
 #include "grading/box/workshop.hpp"
 #include "grading/intake/csv.hpp"
+#include "grading/intake/file_names.hpp"
 #include "grading/intake/intake.hpp"
 #include "grading/intake/journal.hpp"
 #include "grading/intake/overrides.hpp"
 #include "grading/intake/result_json.hpp"
 #include "grading/intake/result_key.hpp"
 #include "grading/intake/roster.hpp"
+#include "merge.hpp"
 #include "toolkit_version.hpp"
 
 namespace {
@@ -98,7 +100,8 @@ BoxSetting find_box(const GradeOptions& options, const Workshop& workshop,
   return setting.box;
 }
 
-/// Each hand-in with its student and its instructor's marks; its key is not known yet.
+/// Each hand-in of this part, with its student and its instructor's marks; its key is not known
+/// yet.
 std::vector<Entry> entries_of(const ClassFiles& hand_ins, const GradeOptions& options) {
   std::vector<Whose> people;
   people.reserve(hand_ins.size());
@@ -114,15 +117,30 @@ std::vector<Entry> entries_of(const ClassFiles& hand_ins, const GradeOptions& op
     check_overrides(overrides, people);
   }
   std::vector<Entry> entries;
-  entries.reserve(people.size());
-  for (const Whose& whose : people) entries.push_back({whose, "", overrides_of(overrides, whose)});
+  entries.reserve(people.size() / options.parts + 1);
+  for (std::size_t i = options.part - 1; i < people.size(); i += options.parts) {
+    entries.push_back({people[i], "", overrides_of(overrides, people[i]), i});
+  }
   return entries;
+}
+
+int status_of(std::size_t not_judged) {
+  if (not_judged == 0) return 0;
+  std::cerr << say(text::grade_not_judged, {std::to_string(not_judged)}) << '\n';
+  return 3;
 }
 
 int grade(const GradeOptions& options) {
   const ClassFiles hand_ins = read_class(options.path, stages);
   std::cerr << hand_ins.words() << '\n';
   for (const std::string& note : hand_ins.notes()) std::cerr << note << '\n';
+  if (options.list) {
+    for (std::size_t i = 0; i < hand_ins.size(); ++i) {
+      const Whose& whose = hand_ins.whose(i);
+      std::cout << whose.id << '\t' << shown_path(whose.source) << '\n';
+    }
+    return 0;
+  }
   std::vector<Entry> entries = entries_of(hand_ins, options);
 
   Journal journal(options.output);
@@ -148,27 +166,43 @@ int grade(const GradeOptions& options) {
   settings +=
       fmt::format("{} {} {}", course.shares.checks, course.shares.scenes, course.shares.relations);
 
-  const Run run{fs::absolute(options.path / ".").parent_path().filename().string(),
-                toolkit_version(options.root, options.build),
-                course.seed,
-                std::string(name(course.box.level)),
-                options.feedback,
-                now()};
+  Run run{fs::absolute(options.path / ".").parent_path().filename().string(),
+          toolkit_version(options.root, options.build),
+          course.seed,
+          std::string(name(course.box.level)),
+          options.feedback,
+          now(),
+          options.part,
+          options.parts,
+          {},
+          false};
   write_whole_file(options.output / "run.json", to_json(run));
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    entries[i].key = result_key(hand_ins.read(i), run.seed, run.toolkit, settings);
+  for (Entry& entry : entries) {
+    entry.key = result_key(hand_ins.read(entry.place), run.seed, run.toolkit, settings);
   }
   const ClassRun class_run(course, options, run, work.path());
   const Tally tally = class_run.grade(hand_ins, entries, journal, interrupted);
-  for (const std::string& refused : class_run.report(entries, journal))
+  for (const std::string& refused : report_class(options, run, entries, journal)) {
     std::cerr << refused << '\n';
+  }
+  run.is_finished = true;
+  for (const Entry& entry : entries) run.finished.push_back(entry.whose.id);
+  write_whole_file(options.output / "run.json", to_json(run));
   std::cout << say(text::grade_done,
                    {std::to_string(tally.graded), std::to_string(tally.finished_before),
                     std::to_string(run.seed), (options.output / "index.html").string()})
             << '\n';
-  if (tally.not_judged == 0) return 0;
-  std::cerr << say(text::grade_not_judged, {std::to_string(tally.not_judged)}) << '\n';
-  return 3;
+  return status_of(tally.not_judged);
+}
+
+int merge(const GradeOptions& options) {
+  const Merged merged = merge_parts(options);
+  for (const std::string& refused : merged.refused) std::cerr << refused << '\n';
+  std::cout << say(text::grade_merged,
+                   {std::to_string(merged.results), std::to_string(options.merged.size()),
+                    (options.output / "index.html").string()})
+            << '\n';
+  return status_of(merged.not_judged);
 }
 
 }  // namespace
@@ -178,7 +212,8 @@ int main(int argc, char** argv) {
   std::signal(SIGTERM, [](int) { interrupted = true; });
   std::signal(SIGPIPE, SIG_IGN);
   try {
-    return grade(parse_grade_options({argv + 1, argv + argc}));
+    const GradeOptions options = parse_grade_options({argv + 1, argv + argc});
+    return options.merged.empty() ? grade(options) : merge(options);
   } catch (const UsageError& error) {
     std::cerr << "lab: " << error.what() << '\n';
     return 2;

@@ -68,6 +68,29 @@ Level level_or_throw(const std::string& word) {
   return *level;
 }
 
+/// "2/5"
+void take_part(GradeOptions& options, const std::string& word) {
+  const std::size_t slash = std::min(word.find('/'), word.size());
+  const std::string of = slash < word.size() ? word.substr(slash + 1) : "";
+  options.part = number<unsigned>("--part", word.substr(0, slash));
+  options.parts = number<unsigned>("--part", of);
+  if (options.part < 1 || options.part > options.parts) {
+    throw UsageError(say(text::grade_bad_part, {word}));
+  }
+}
+
+/// What is left over is what is graded, or merged.
+void take_paths(GradeOptions& options, const std::vector<std::string>& paths, bool merge) {
+  if (merge) {
+    if (paths.empty()) throw UsageError(say(text::grade_nothing_to_merge));
+    options.merged.assign(paths.begin(), paths.end());
+  } else {
+    if (paths.size() != 1) throw UsageError(say(text::grade_one_path));
+    options.path = paths.front();
+  }
+  if (options.output.empty() && !options.list) throw UsageError(say(text::grade_no_output));
+}
+
 }  // namespace
 
 GradeOptions parse_grade_options(const std::vector<std::string>& arguments) {
@@ -76,6 +99,7 @@ GradeOptions parse_grade_options(const std::vector<std::string>& arguments) {
       {"--output", [&](const std::string& value) { options.output = value; }},
       {"--root", [&](const std::string& value) { options.root = value; }},
       {"--build", [&](const std::string& value) { options.build = value; }},
+      {"--part", [&](const std::string& value) { take_part(options, value); }},
       {"--jobs",
        [&](const std::string& value) { options.jobs = number<unsigned>("--jobs", value); }},
       {"--seed",
@@ -88,12 +112,17 @@ GradeOptions parse_grade_options(const std::vector<std::string>& arguments) {
       {"--box", [&](const std::string& value) { options.box = level_or_throw(value); }},
   };
   std::vector<std::string> paths;
+  bool merge = false;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& argument = arguments[i];
     const std::size_t equals = argument.starts_with("--") ? argument.find('=') : std::string::npos;
     const auto option = with_value.find(argument.substr(0, equals));
     if (argument == "--unsafe") {
       options.unsafe = true;
+    } else if (argument == "--list") {
+      options.list = true;
+    } else if (argument == "--merge") {
+      merge = true;
     } else if (option != with_value.end()) {
       if (equals == std::string::npos && i + 1 == arguments.size()) {
         throw UsageError(say(text::grade_needs_value, {argument}));
@@ -105,10 +134,8 @@ GradeOptions parse_grade_options(const std::vector<std::string>& arguments) {
       paths.push_back(argument);
     }
   }
-  if (paths.size() != 1) throw UsageError(say(text::grade_one_path));
-  if (options.output.empty()) throw UsageError(say(text::grade_no_output));
+  take_paths(options, paths, merge);
   if (options.root.empty() || options.build.empty()) throw UsageError("--root, --build");
-  options.path = paths.front();
   if (options.stages.empty()) {
     for (const Stage& stage : stages) options.stages.push_back(&stage);
   }

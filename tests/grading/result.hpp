@@ -124,7 +124,11 @@ struct Run {
   std::uint64_t seed = 0;
   std::string box;
   Feedback feedback = Feedback::full;
-  std::string date;  ///< ISO 8601
+  std::string date;   ///< ISO 8601
+  unsigned part = 1;  ///< of `parts` shares of the class, which were graded each by itself
+  unsigned parts = 1;
+  std::vector<std::string> finished;  ///< the ids in this part, once all of them are graded
+  bool is_finished = false;
 };
 
 std::string_view name(Status status);

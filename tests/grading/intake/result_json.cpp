@@ -241,6 +241,7 @@ std::string sum_of(std::string_view bytes) {
 }
 
 constexpr std::uint64_t most_seed = std::numeric_limits<std::uint64_t>::max();
+constexpr unsigned most_parts = 1'000'000;
 
 }  // namespace
 
@@ -266,10 +267,16 @@ std::string to_json(const SubmissionResult& result) {
 }
 
 std::string to_json(const Run& run) {
-  const Written all = {{"format", json_format},        {"title", text(run.title)},
-                       {"toolkit", text(run.toolkit)}, {"seed", run.seed},
-                       {"box", text(run.box)},         {"feedback", name(run.feedback)},
-                       {"date", text(run.date)}};
+  const Written all = {{"format", json_format},
+                       {"title", text(run.title)},
+                       {"toolkit", text(run.toolkit)},
+                       {"seed", run.seed},
+                       {"box", text(run.box)},
+                       {"feedback", name(run.feedback)},
+                       {"date", text(run.date)},
+                       {"part", run.part},
+                       {"parts", run.parts},
+                       {"finished", run.is_finished ? texts(run.finished) : Written()}};
   return all.dump(1) + "\n";
 }
 
@@ -314,6 +321,12 @@ Run run_from_json(std::string_view json) {
     run.box = string_of(keys["box"]);
     run.feedback = enum_of(keys["feedback"], Feedback::full);
     run.date = string_of(keys["date"]);
+    run.parts = number_of<unsigned>(keys["parts"], 1, most_parts);
+    run.part = number_of<unsigned>(keys["part"], 1, run.parts);
+    if (const Read& finished = keys["finished"]; !finished.is_null()) {
+      run.finished = list_of(finished, string_of);
+      run.is_finished = true;
+    }
     return run;
   });
 }

@@ -86,10 +86,13 @@ TEST_CASE("a result comes back as it was, whatever is in it") {
   odd.stages[0].cpu_seconds = std::numeric_limits<double>::quiet_NaN();
   CHECK(result_from_json(to_json(odd)).stages[0].cpu_seconds == 0);
 
-  Run run{"Γραφικά \xFF", "1.2", 42, "landlock", Feedback::marks, "2025-01-01T10:00:00Z"};
+  Run run{"Γραφικά \xFF",         "1.2", 42, "landlock", Feedback::marks,
+          "2025-01-01T10:00:00Z", 2,     5,  {"a", "b"}, true};
   const Run run_back = run_from_json(to_json(run));
   CHECK(run_back.title == run.title);
   CHECK(run_back.seed == 42);
+  CHECK(run_back.part == 2);
+  CHECK(run_back.finished == run.finished);
   CHECK(run_back.feedback == Feedback::marks);
   CHECK(to_json(run_back) == to_json(run));
 }
