@@ -6,7 +6,8 @@ source "$(dirname "$0")/harness.bash" "$1"
 catalogue=$SOURCE/common/text/lab.def
 scripts=("$SOURCE/lab" "$SOURCE/cmake/packages.bash" "$SOURCE/tests/lab/heavy_checks.bash"
   "$SOURCE/tests/numerics/trade.bash" "$SOURCE/tests/check/student.bash"
-  "$SOURCE/tests/explain/explain.bash" "$SOURCE/tests/grading/grade.bash")
+  "$SOURCE/tests/explain/explain.bash" "$SOURCE/tests/grading/grade.bash"
+  "$SOURCE/tests/kits/kit.bash")
 keys=()
 while IFS= read -r line; do
   [[ $line == //* ]] && continue
@@ -31,7 +32,7 @@ for command in "${commands[@]}"; do
   check "the function of ${command%%:*}" grep -q "^command_${command%%:*}() {" "$SOURCE/lab"
 done
 used+=$'\n'$(sed -nE 's/^  \[([a-z]+)\]=".*/lab_missing_\1/p' "$SOURCE/cmake/packages.bash")
-used+=$'\n'$(sed -nE 's/^  step ([a-z]+) .*/lab_step_\1/p' "$SOURCE/tests/lab/heavy_checks.bash")
+used+=$'\n'$(sed -nE 's/^  step ([a-z_]+) .*/lab_step_\1/p' "$SOURCE/tests/lab/heavy_checks.bash")
 while IFS= read -r key; do
   case $key in lab_help_ | lab_usage_ | lab_missing_ | lab_step_) continue ;; esac
   check "the text $key exists" grep -q "^TEXT($key,\$" "$catalogue"
