@@ -4,7 +4,8 @@
 # The packages, by what they are for; the texts lab_missing_… say why.
 declare -A PACKAGES=(
   [build]="g++ cmake ninja-build libglm-dev libfmt-dev tao-pegtl-dev libopenimageio-dev openimageio-tools zlib1g-dev fonts-dejavu-core"
-  [test]="catch2 libmpfi-dev libgmp-dev libmpfr-dev libhwy-dev"
+  [exact]="libmpfi-dev libgmp-dev libmpfr-dev"
+  [test]="catch2 libhwy-dev libmpfi-dev libgmp-dev libmpfr-dev"
   [grade]="bubblewrap libzip-dev libmd-dev nlohmann-json3-dev"
   [plot]="gnuplot-nox"
   [figures]="lld wasi-libc"

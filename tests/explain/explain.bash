@@ -1,6 +1,9 @@
 # `./lab explain`: one pixel, step by step, by fos_explain. Sourced by ./lab, whose words, options and
 # build it uses.
 
+# knows_exact: the build folder was made for this.
+knows_exact() { is_configured && [[ $(<"$BUILD/CMakeCache.txt") == *$'\n'FOS_EXPLAIN:BOOL=ON$'\n'* ]]; }
+
 # explain STAGE COLUMN ROW: what is right, beside what the student's stage gives.
 explain() {
   local scene=$ROOT/labs/scenes/lecture.scene words=() word status=0 yours=()
@@ -20,8 +23,8 @@ explain() {
     [[ $word =~ ^[0-9]{1,9}$ ]] || fail 2 lab_explain_bad_number "$word"
   done
 
-  set_up build test
-  is_configured_with_tests || configure -DFOS_TESTS=ON
+  set_up build exact
+  is_configured_with_tests || knows_exact || configure -DFOS_TESTS=OFF -DFOS_EXPLAIN=ON
   know_stages "${words[0]}"
   # shellcheck source=/dev/null
   source "$BUILD/stages.sh"

@@ -13,7 +13,8 @@ make_tree
 lab explain point 300 349
 check "the lecture's scene" status 0
 check "the lecture's scene" asked --stage point --scene "$scene" --program "$yours" 300 349
-check "with the tests" called 'FOS_TESTS=ON'
+check "with what explains" called 'FOS_EXPLAIN=ON'
+check "without the tests" called 'FOS_TESTS=OFF'
 check "builds the program and the stage" built 'fos_explain lab_point'
 check "nothing is installed" not called apt-get
 check "is silent by itself" test -z "$OUT$ERR"
@@ -26,17 +27,21 @@ check "an option anywhere" asked --stage point --scene 'my files/a & b.scene' --
 lab --lang el explain point 3 4
 check "the program hears of the language" test "$(<"$STATE/language")" == el
 
-# A build without the tests is configured anew, one with them is not.
-printf 'FOS_TESTS:BOOL=ON\nx\n' >>"$TREE/build/release/CMakeCache.txt"
-: >"$STATE/calls"
-lab explain point 3 4
-check "a build with the tests" not called 'cmake -S'
+# A build without what explains is configured anew; one with it, or with the tests, is not.
+for option in FOS_TESTS FOS_EXPLAIN; do
+  lab render point
+  printf '%s:BOOL=ON\nx\n' "$option" >>"$TREE/build/release/CMakeCache.txt"
+  : >"$STATE/calls"
+  lab explain point 3 4
+  check "a build with $option" not called 'cmake -S'
+  rm "$TREE/build/release/build.ninja"
+done
 lab render point
 rm "$TREE/build/release/build.ninja"
 lab render point
 : >"$STATE/calls"
 lab explain point 3 4
-check "a build without the tests" called 'FOS_TESTS=ON'
+check "a build without either" called 'FOS_EXPLAIN=ON'
 
 for status in 1 2 3; do
   echo "$status" >"$STATE/picture-status"

@@ -1,0 +1,145 @@
+# `./lab kit student|instructor --lecture N`: the zip to hand out. Sourced by ./lab, whose words and options
+# it uses. What goes in is said in files.txt alone; git is not asked, so a kit can be made in a kit.
+
+# kit_course AUDIENCE --lecture N [--output F.zip]
+kit_course() {
+  local audience=$1 lecture='' output='' known=() folder name
+  shift
+  while (($#)); do
+    TOOK=1
+    case $1 in
+      --lecture | --lecture=*) take "$@" && lecture=$VALUE ;;
+      --output | --output=*) take "$@" && output=$VALUE && kit_place "$output" ;;
+      *) require lab_unknown_option "$1" --lecture --output --lang ;;
+    esac
+    shift "$TOOK"
+  done
+  for folder in "$ROOT"/tests/check/shipped/lecture*/; do
+    folder=${folder%/} && known+=("$((10#${folder##*lecture}))")
+  done
+  [[ $lecture ]] || fail 2 lab_kit_which_lecture "$audience" "${known[*]}"
+  [[ $lecture =~ ^0*([1-9][0-9]{0,3})$ ]] && lecture=${BASH_REMATCH[1]}
+  require lab_kit_no_lecture "$lecture" "${known[@]}"
+  name=fos-$audience-lecture-$lecture
+
+  set_up build
+  if [[ ! $output ]]; then
+    output=$ROOT/build/kits/$name.zip
+    if ! mkdir -p "$ROOT/build/kits" 2>/dev/null || [[ -d $output ]]; then fail 3 lab_kit_fails "$output"; fi
+  fi
+  [[ $output == /* ]] || output=$PWD/$output
+  KIT=$ROOT/build/kits/.$name.$$.part NEW=${output%/*}/.${output##*/}.$$.part
+  trap kit_undone EXIT
+  if ! fill_kit "$KIT/$name" || ! pack_kit "$name" || ! mv -f -- "$NEW" "$output"; then
+    fail 3 lab_kit_fails "$output"
+  fi
+  say lab_kit_done "${output#"$PWD/"}" "${#NAMES[@]}" "$(stat -c %s -- "$output")"
+}
+kit_undone() { rm -rf -- "$KIT" "$NEW" 2>/dev/null; }
+
+kit_place() {
+  case ${1,,} in *[^/].zip) check_place "$1" ;; *) fail 2 lab_bad_zip "$1" ;; esac
+}
+
+# fill_kit FOLDER: the tree that is to be in the zip. The stages are stubs, whatever stands in labs.
+fill_kit() {
+  local page file list=()
+  local -A WORDS=() CHOSEN=()
+  mkdir -p "$1" || return
+  cmake -D STAGES="$ROOT/labs/stages.json" -D LECTURE="$lecture" -D OUTPUT="$KIT" \
+    -P "$ROOT/tests/kits/cut_stages.cmake" || return
+  # shellcheck source=/dev/null
+  source "$KIT/kit.sh" && choose_files || return
+  for page in "${!CHOSEN[@]}"; do [[ $page != *.md ]] || choose_pictures "$page" || return; done
+  list=("${!CHOSEN[@]}")
+  (cd "$ROOT" && cp --parents -- "${list[@]}" "$1") &&
+    cp "$KIT/stages.json" "$1/labs/stages.json" || return
+  for file in ${WORDS[file]}; do
+    mkdir -p "$1/labs/${file%/*}" && cp "$ROOT/tests/check/shipped/$file" "$1/labs/$file" || return
+  done
+  if [[ $audience == student ]]; then cp "$ROOT"/tests/kits/student/README*.md "$1" || return; fi
+  for page in "$1"/*.md "$1"/docs/*/*.md; do
+    if [[ -e $page ]]; then without_dead_links "$page" || return; fi
+  done
+  chmod -R u=rwX,go=rX "$1"
+}
+
+# choose_files: CHOSEN, from the section of files.txt for this audience.
+choose_files() {
+  local line section='' least
+  while read -r line; do
+    case $line in
+      '' | '#'*) continue ;;
+      '['*) section=$line && continue ;;
+    esac
+    [[ $section == "[$audience]" ]] || continue
+    if [[ $line =~ ^([0-9]+)\+\ +(.*) ]]; then
+      least=${BASH_REMATCH[1]} line=${BASH_REMATCH[2]}
+      ((lecture >= least)) || continue
+    elif [[ $line == 'newest '* ]]; then
+      [[ -z ${WORDS[later]} ]] || continue
+      line=${line#newest }
+    fi
+    choose_pattern "$line"
+  done <"$ROOT/tests/kits/files.txt"
+}
+
+# choose_pattern PATTERN: once for each of the WORDS that it names.
+choose_pattern() {
+  local name word path
+  if [[ $1 =~ \{([a-z_]+)\} ]]; then
+    name=${BASH_REMATCH[1]}
+    for word in ${WORDS[$name]?a word that files.txt does not explain}; do
+      choose_pattern "${1//"{$name}"/$word}"
+    done
+    return
+  fi
+  # shellcheck disable=SC2086 # the pattern is to be expanded
+  while IFS= read -r path; do
+    if [[ ! $path ]]; then # nothing is of this pattern
+      continue
+    elif [[ $1 == '!'* ]]; then
+      unset 'CHOSEN[$path]'
+    elif [[ -f $ROOT/$path ]]; then
+      CHOSEN[$path]=yes
+    fi
+  done < <(cd "$ROOT" && shopt -s globstar nullglob dotglob && IFS='' && printf '%s\n' ${1#!})
+}
+
+# choose_pictures PAGE: what of docs/images it shows.
+choose_pictures() {
+  local words picture
+  words=$(<"$ROOT/$1")
+  while [[ $words =~ images/([A-Za-z0-9_/.-]+\.(png|svg)) ]]; do
+    picture=docs/images/${BASH_REMATCH[1]} words=${words#*"${BASH_REMATCH[0]}"}
+    if [[ -f $ROOT/$picture ]]; then CHOSEN[$picture]=yes; fi
+  done
+}
+
+# without_dead_links PAGE: a link to what is not in the kit becomes its words.
+without_dead_links() {
+  local line before text target code='' out=''
+  local link='\[(!\[[^]]*\]\([^)]*\)|[^][]*)\]\(([^][:space:])#]+)(#[^)]*)?\)'
+  while IFS= read -r line || [[ $line ]]; do
+    [[ $line != '```'* ]] || { [[ $code ]] && code='' || code=yes; }
+    while [[ ! $code && $line =~ $link ]]; do
+      text=${BASH_REMATCH[1]} target=${BASH_REMATCH[2]} before=${line%%"${BASH_REMATCH[0]}"*}
+      line=${line#*"${BASH_REMATCH[0]}"}
+      if [[ $target == *:* || -e ${1%/*}/$target ]]; then
+        out+=$before${BASH_REMATCH[0]}
+      else
+        out+=${before%!}$text
+      fi
+    done
+    out+=$line$'\n'
+  done <"$1"
+  printf '%s' "$out" >"$1"
+}
+
+# pack_kit NAME: the zip, the same bytes for the same tree: sorted names, and one time for all.
+pack_kit() {
+  mapfile -t NAMES < <(cd "$KIT" && shopt -s globstar dotglob && IFS='' LC_ALL=C &&
+    for file in "$1"/**; do [[ ! -f $file ]] || printf '%s\n' "$file"; done)
+  printf '%s\n' "${NAMES[@]}" >"$KIT/names" &&
+    (cd "$KIT" && TZ=UTC cmake -E tar cf "$NEW" --format=zip --mtime='2020-01-01 00:00:00' --files-from=names)
+}
