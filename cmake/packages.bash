@@ -7,7 +7,7 @@ declare -A PACKAGES=(
   [test]="catch2 libmpfi-dev libgmp-dev libmpfr-dev libhwy-dev"
   [grade]="bubblewrap libzip-dev libmd-dev nlohmann-json3-dev"
   [plot]="gnuplot-nox"
-  [check]="clang clang-format clang-tidy libclang-rt-dev shellcheck chromium chromium-driver libxml2-utils"
+  [check]="clang clang-format clang-tidy libclang-rt-dev shellcheck hunspell hunspell-en-gb hunspell-el chromium chromium-driver libxml2-utils"
 )
 APT_LOG=$ROOT/build/apt.log
 

@@ -96,7 +96,7 @@ for page in README.md README.el.md docs/en/*.md docs/el/*.md; do
   [[ -e $page ]] || continue
   grep -qE '^<!-- (from|run:) ' "$page" || continue
   FOS_LANG=en
-  [[ $page == *el* ]] && FOS_LANG=el
+  [[ $page == *.el.md || $page == docs/el/* ]] && FOS_LANG=el
   export FOS_LANG
   renewed "$page" >"$work/page"
   cmp -s "$work/page" "$page" && continue
