@@ -21,4 +21,10 @@ fresh && expect 0 'pages that agree'
 fresh && rm "$tree/docs/el/a.md" && expect 1 'a page in English only'
 fresh && rm "$tree/docs/en/a.md" && expect 1 'a page in Greek only'
 fresh && echo '## C' >>"$tree/docs/el/a.md" && expect 1 'a heading in one language only'
+for shown in '![a](../images/a.png)' '<!-- from code.hpp -->' '<details markdown>'; do
+  fresh && echo "$shown" >>"$tree/docs/el/a.md" && expect 1 "$shown in one language only"
+  fresh && echo "$shown" | tee -a "$tree"/docs/{en,el}/a.md >/dev/null && expect 0 "$shown in both"
+done
+fresh && echo '![a](../images/a.png)' >>"$tree/docs/en/a.md" && echo '![α](../images/a-el.png)' >>"$tree/docs/el/a.md" &&
+  expect 0 'a picture with words, in each language'
 exit $failed
