@@ -10,7 +10,7 @@ declare -A PACKAGES=(
   [plot]="gnuplot-nox"
   [figures]="lld wasi-libc"
   [docs]="mkdocs mkdocs-material libjs-katex fonts-katex"
-  [check]="clang clang-format clang-tidy libclang-rt-dev shellcheck chromium chromium-driver libxml2-utils"
+  [check]="clang clang-format clang-tidy libclang-rt-dev shellcheck hunspell hunspell-en-gb hunspell-el chromium chromium-driver libxml2-utils"
 )
 APT_LOG=$ROOT/build/apt.log
 

@@ -7,12 +7,10 @@ failed=0
 
 fresh() {
   rm -rf "${tree:?}"/*
-  mkdir -p "$tree"/{docs/en,docs/el,labs/lecture04}
-  # shellcheck disable=SC2016 # the backticks are Markdown's
-  printf '# A\n\n```cpp\nreturn i;\n```\n\n## B\n' | tee "$tree"/{README,README.el}.md >/dev/null
+  mkdir -p "$tree"/docs/{en,el}
+  printf '# A\n\n## B\n' | tee "$tree"/{README,README.el}.md >/dev/null
   # shellcheck disable=SC2016 # the backticks are Markdown's
   printf '# A\n\n```\n# no heading\n```\n' | tee "$tree"/docs/{en,el}/a.md >/dev/null
-  echo '  return i;' >"$tree/labs/lecture04/point.cpp"
 }
 expect() {  # expect STATUS WHAT
   "$here/pages.sh" "$tree" >/dev/null
@@ -23,5 +21,10 @@ fresh && expect 0 'pages that agree'
 fresh && rm "$tree/docs/el/a.md" && expect 1 'a page in English only'
 fresh && rm "$tree/docs/en/a.md" && expect 1 'a page in Greek only'
 fresh && echo '## C' >>"$tree/docs/el/a.md" && expect 1 'a heading in one language only'
-fresh && echo 'return j;' >"$tree/labs/lecture04/point.cpp" && expect 1 'code that is not there'
+for shown in '![a](../images/a.png)' '<!-- from code.hpp -->' '<details markdown>'; do
+  fresh && echo "$shown" >>"$tree/docs/el/a.md" && expect 1 "$shown in one language only"
+  fresh && echo "$shown" | tee -a "$tree"/docs/{en,el}/a.md >/dev/null && expect 0 "$shown in both"
+done
+fresh && echo '![a](../images/a.png)' >>"$tree/docs/en/a.md" && echo '![α](../images/a-el.png)' >>"$tree/docs/el/a.md" &&
+  expect 0 'a picture with words, in each language'
 exit $failed

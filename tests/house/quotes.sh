@@ -23,7 +23,7 @@ item() {
   awk -v name="$2" '
     !inside && /^[A-Za-z]/ && $0 ~ "(^|[^A-Za-z_])" name "([^A-Za-z_]|$)" { inside = 1 }
     inside
-    inside && /^}/ { exit }' "$1"
+    inside && /^}/ { exit }' "$1" 2>/dev/null
 }
 
 # paragraphs A-B: those of what it reads.
@@ -41,7 +41,7 @@ quoted() {
       file=${1#from }
       item "$(source_of "${file%: *}")" "${file##*: }"
       ;;
-    'from '*) cat "$(source_of "${1#from }")" ;;
+    'from '*) cat "$(source_of "${1#from }")" 2>/dev/null ;;
     'run: explain '*)
       "$bin/fos_explain" --stage "${words[2]}" --scene labs/scenes/lecture.scene "${words[@]:3:2}" \
         >"$work/said" || return
@@ -96,7 +96,7 @@ for page in README.md README.el.md docs/en/*.md docs/el/*.md; do
   [[ -e $page ]] || continue
   grep -qE '^<!-- (from|run:) ' "$page" || continue
   FOS_LANG=en
-  [[ $page == *el* ]] && FOS_LANG=el
+  [[ $page == *.el.md || $page == docs/el/* ]] && FOS_LANG=el
   export FOS_LANG
   renewed "$page" >"$work/page"
   cmp -s "$work/page" "$page" && continue

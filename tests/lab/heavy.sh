@@ -47,12 +47,14 @@ SCRIPTS=(
   watch/viewer_test
   grading/report/report_test
   grading/self_test
+  house/spelling
+  house/spelling_catches
 )
 STEPS=$(grep -c '^  step ' "$SOURCE/tests/lab/heavy_checks.bash")
 BROWSERS=$(grep -c '^  step [a-z_]* chromedriver ' "$SOURCE/tests/lab/heavy_checks.bash")
 tools() {
   local tool
-  for tool in clang-format shellcheck clang++ clang-tidy chromedriver bwrap; do
+  for tool in clang-format shellcheck hunspell clang++ clang-tidy chromedriver bwrap; do
     pretend "$tool" <<'EOT'
 [[ $(cat "$STATE/fails" 2>/dev/null) != "${0##*/}" ]] || { echo "what it says"; exit 1; }
 EOT
@@ -93,6 +95,7 @@ check "all: random scenes" called '-C Heavy'
 check "all: the page in the browser" called "viewer_test $TREE $TREE/build/release"
 check "all: the reports in the browser" called "report_test $TREE $TREE/build/release"
 check "all: the red team before the box" called "self_test $TREE $TREE/build/release"
+check "all: the spelling" called "spelling $TREE"
 check "all: warnings are errors, for clang++" called '-DCMAKE_CXX_COMPILER=clang++ -DFOS_WERROR=ON'
 check "all: the linter has the commands of clang++" called "tidy $TREE/build/clang/compile_commands.json"
 : >"$STATE/calls"

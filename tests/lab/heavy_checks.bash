@@ -10,6 +10,7 @@ heavy_checks() {
   step tests ctest tests_once
   step format clang-format check_format
   step shell shellcheck check_shell
+  step spelling hunspell check_spelling
   step clang clang++ clang_tree
   step tidy clang-tidy check_tidy
   step random ctest random_scenes
@@ -57,6 +58,11 @@ check_format() {
 check_shell() {
   cd "$ROOT" &&
     shellcheck -x -P SCRIPTDIR:. lab .ci/run {cmake,common,labs,solutions,tests,docs}/**/*.{sh,bash}
+}
+
+# The words of the pages and of the programs, and that a wrong one is found.
+check_spelling() {
+  "$ROOT/tests/house/spelling_catches.sh" && "$ROOT/tests/house/spelling.sh" "$ROOT"
 }
 
 # Everything by the other compiler, with its sanitizers, and its tests: without those of bash, the

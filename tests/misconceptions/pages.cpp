@@ -63,10 +63,11 @@ class Page {
       if ((mistake.stages & stage_bit(stage.id)) == 0) continue;
       of_stages += (of_stages.empty() ? "" : ", ") + in(stage.name);
     }
-    page_ += fmt::format("\n### {}\n\n![{}](../images/mistakes/{}.png)\n\n{}\n\n{}\n\n{}\n",
-                         in(mistake.name), mistake.id, mistake.id, in(mistake.question),
-                         in(text::mistakes_page_look, {in(mistake.look)}),
-                         in(text::mistakes_page_stages, {of_stages, std::string(mistake.id)}));
+    page_ += fmt::format(
+        "\n<a id='{}'></a>\n\n### {}\n\n![{}](../images/mistakes/{}.png)\n\n{}\n\n{}\n\n{}\n",
+        mistake.id, in(mistake.name), mistake.id, mistake.id, in(mistake.question),
+        in(text::mistakes_page_look, {in(mistake.look)}),
+        in(text::mistakes_page_stages, {of_stages, std::string(mistake.id)}));
   }
 
   Language language_;
