@@ -123,7 +123,7 @@ const slides = () => ({
 });
 
 // As docs/figures/figure.hpp reads them.
-function numbersOf(scene, size, { mistake = 0, terms = 0 } = {}) {
+function numbersOf(scene, { size = 600, mistake = 0, terms = 0 } = {}) {
   return [mistake, terms, size, size,
     scene.spheres.length, scene.points.length, scene.directionals.length,
     scene.ambient, 255, 255, 255,
@@ -162,6 +162,13 @@ async function frameOf(module, numbers) {
     }
   });
   return frame;
+}
+
+// The same module here, for what is asked of one pixel.
+async function moduleHere(name) {
+  const { instance } = await WebAssembly.instantiate(modules[name]);
+  instance.exports._initialize();
+  return instance.exports;
 }
 
 // --- the figure ------------------------------------------------------------------------------------
@@ -218,18 +225,55 @@ function difference(canvas, a, b) {
     ++count;
     most = Math.max(most, by);
     if (places.length < 1000) places.push(i / 4);
-    out.data.fill(Math.max(0, 190 - 4 * by), i, i + 3);
+    out.data.fill(200 - 200 * Math.sqrt(by / 255), i, i + 3);
   }
   const context = canvas.getContext("2d");
   context.putImageData(out, 0, 0);
   if (count <= 1000) { // so few would not be seen
+    const side = count <= 200 ? 9 : 3;
     context.fillStyle = "#c0392b";
     for (const place of places) {
-      context.fillRect((place % a.width) - 1, Math.floor(place / a.width) - 1, 3, 3);
+      const [x, y] = [place % a.width, Math.floor(place / a.width)].map((at) => at - (side - 1) / 2);
+      context.fillRect(x, y, side, side);
     }
   }
   const pixels = a.width * a.height;
   return count === 0 ? say("figures_same", pixels) : say("figures_differ", count, pixels, most);
+}
+
+// Two pictures, and what differs between them: `ask` says how each is made, as [module, numbers].
+function comparison(captions, ask) {
+  const [a, b] = captions.map((caption) => picture(caption));
+  const third = picture(say("figures_difference"));
+  const verdict = element("p", { class: "verdict", role: "status" });
+  const update = drawing(async () => {
+    const [one, other] = ask();
+    const left = await draw(a.canvas, ...one);
+    verdict.textContent = difference(third.canvas, left, await draw(b.canvas, ...other));
+  });
+  const whole = element("div", { class: "row still" }, a.whole, b.whole, third.whole);
+  return { a, b, whole, verdict, update };
+}
+
+// Moves a point light over the picture in x and y, by pointer and keys; z by keys.
+const range = { x: [-3.9, 3.9], y: [-3.9, 3.9], z: [-1, 7] };
+const round = (number) => Math.round(number * 100) / 100;
+const within = (number, [least, most]) => round(Math.max(least, Math.min(most, number)));
+function lightHandle({ over, frame }, light, update) {
+  const unit = 75; // of the picture's pixels to one of the scene's
+  const handle = sun(over);
+  const move = (x, y, z) => {
+    light.position = [within(x, range.x), within(y, range.y), within(z, range.z)];
+    update();
+  };
+  frame.classList.add("grab");
+  onDrag(over, frame, (x, y) => move((x - 300) / unit, (300 - y) / unit, light.position[2]));
+  onKeys(frame, (x, y, z) => {
+    const [px, py, pz] = light.position;
+    move(px + 0.1 * x, py + 0.1 * y, pz + 0.1 * z);
+  });
+  return { move, show: () =>
+    handle.move(300 + unit * light.position[0], 300 - unit * light.position[1]) };
 }
 
 // Puts the page up: the title and lead of a figure, then its parts; and begins.

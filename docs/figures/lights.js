@@ -4,12 +4,10 @@
 const scene = slides();
 const [light] = scene.points;
 const [sunlight] = scene.directionals;
-const unit = 75; // of the picture's pixels to one of the scene's, where the light is dragged
-const reach = 3.9;
 
 const main = picture(say("figures_lights_picture"));
-main.frame.classList.add("grab", "still");
-const handle = sun(main.over);
+main.frame.classList.add("still");
+const handle = lightHandle(main, light, update);
 
 // From above: x to the right, z upwards.
 const map = element("svg", { class: "map", viewBox: "-5 -7.2 10 9", role: "img",
@@ -28,8 +26,6 @@ const arrowAt = [3.2, 0.2]; // out of the spheres' way: it stands for a directio
 
 const words = element("pre");
 const degrees = (radians) => (radians * 180) / Math.PI;
-const round = (number) => Math.round(number * 100) / 100;
-const clamp = (number) => round(Math.max(-reach, Math.min(reach, number)));
 
 // Angles of the directional light, in degrees, and back.
 const azimuth = () => degrees(Math.atan2(sunlight.direction[2], sunlight.direction[0]));
@@ -42,12 +38,12 @@ function turn(around, up) {
 
 const angle = (x) => say("figures_degrees", decimals(x, 0));
 const brightness = { min: 0, max: 1, step: 0.01, value: 0 };
-const place = { min: -reach, max: reach, step: 0.01, value: 0 };
+const place = ([min, max]) => ({ min, max, step: 0.01, value: 0 });
 const controls = {
   point: slider(say("figures_intensity"), brightness, (i) => { light.intensity = i; update(); }),
-  x: slider(say("figures_x"), place, (x) => { light.position[0] = x; update(); }),
-  y: slider(say("figures_y"), place, (y) => { light.position[1] = y; update(); }),
-  z: slider(say("figures_z"), { ...place, min: -1, max: 7 },
+  x: slider(say("figures_x"), place(range.x), (x) => { light.position[0] = x; update(); }),
+  y: slider(say("figures_y"), place(range.y), (y) => { light.position[1] = y; update(); }),
+  z: slider(say("figures_z"), place(range.z),
     (z) => { light.position[2] = z; update(); }),
   directional: slider(say("figures_intensity"), brightness,
     (i) => { sunlight.intensity = i; update(); }),
@@ -59,11 +55,11 @@ const controls = {
 };
 const again = element("button", { type: "button" }, say("figures_reset"));
 
-const redraw = drawing(() => draw(main.canvas, "combined", numbersOf(scene, 600)));
+const redraw = drawing(() => draw(main.canvas, "combined", numbersOf(scene)));
 
 function update() {
   const [x, y, z] = light.position;
-  handle.move(300 + unit * x, 300 - unit * y);
+  handle.show();
   mapLight.move(x, -z, 0.025);
   arrow.setAttribute("transform",
     `translate(${arrowAt[0]} ${arrowAt[1]}) rotate(${-azimuth()})`);
@@ -77,20 +73,7 @@ function update() {
   redraw();
 }
 
-onDrag(main.over, main.frame, (x, y) => {
-  light.position = [clamp((x - 300) / unit), clamp((300 - y) / unit), light.position[2]];
-  update();
-});
-onKeys(main.frame, (x, y, z) => {
-  const [px, py, pz] = light.position;
-  light.position = [clamp(px + 0.1 * x), clamp(py + 0.1 * y),
-    round(Math.max(-1, Math.min(7, pz + 0.1 * z)))];
-  update();
-});
-onDrag(map, mapLight.drawn, (x, y) => {
-  light.position = [clamp(x), light.position[1], round(Math.max(-1, Math.min(7, -y)))];
-  update();
-});
+onDrag(map, mapLight.drawn, (x, y) => handle.move(x, light.position[1], -y));
 onDrag(map, arrow, (x, y) => {
   turn(degrees(Math.atan2(arrowAt[1] - y, x - arrowAt[0])), elevation());
   update();

@@ -30,9 +30,9 @@ shift 3
 
 # The catalogue of the mistakes, in its order: the tracer knows them by their number.
 mistakes() {
-  awk -F'[(), ]+' '/^MISTAKE\(/ {
-      stages = $0; sub(/^([^,]*,){2}/, "", stages); sub(/,.*/, "", stages); gsub(/[^A-Z]/, "", stages)
-      printf "%s{\"id\": \"%s\", \"stages\": \"%s\"}", comma, $2, stages; comma = ",\n"
+  awk -F'[(,)]' '/^MISTAKE[(]/ {
+      gsub(/[^A-Z]/, "", $4)
+      printf "%s{\"id\": \"%s\", \"stages\": \"%s\"}", comma, $2, $4; comma = ",\n"
     }' "$here/../../tests/misconceptions/mistakes.inc"
 }
 # hash_of FILE: as a Content-Security-Policy has it.

@@ -15,7 +15,8 @@ def make(browser):
     for page in sorted(pathlib.Path(sys.argv[1]).glob("*.html")):
         browser.ask("POST", "/url", {"url": page.resolve().as_uri() + "?lang=en"})
         until(lambda: browser.run("return window.figure && !figure.busy"), "the figure")
-        browser.run("document.querySelector('.still').style.maxWidth = '600px'")
+        browser.run("""document.querySelector('.still').style.maxWidth = '600px';
+            for (const words of document.querySelectorAll('.still figcaption')) words.hidden = true""")
         image = pathlib.Path(sys.argv[2], f"figure-{page.stem}.png")
         browser.element_screenshot(".still", f"{image}.new")
         os.replace(f"{image}.new", image)
