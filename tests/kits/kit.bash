@@ -116,24 +116,38 @@ choose_pictures() {
   done
 }
 
-# without_dead_links PAGE: a link to what is not in the kit becomes its words.
+# without_dead_links PAGE: a link to what is not in the kit becomes its words. (A link may go over a line's
+# end, so a paragraph is looked at as a whole.)
 without_dead_links() {
-  local line before text target code='' out=''
-  local link='\[(!\[[^]]*\]\([^)]*\)|[^][]*)\]\(([^][:space:])#]+)(#[^)]*)?\)'
-  while IFS= read -r line || [[ $line ]]; do
-    [[ $line != '```'* ]] || { [[ $code ]] && code='' || code=yes; }
-    while [[ ! $code && $line =~ $link ]]; do
-      text=${BASH_REMATCH[1]} target=${BASH_REMATCH[2]} before=${line%%"${BASH_REMATCH[0]}"*}
-      line=${line#*"${BASH_REMATCH[0]}"}
-      if [[ $target == *:* || -e ${1%/*}/$target ]]; then
-        out+=$before${BASH_REMATCH[0]}
-      else
-        out+=${before%!}$text
-      fi
-    done
-    out+=$line$'\n'
+  local line paragraph='' code='' out=''
+  while IFS= read -r line; do
+    if [[ $code || $line == '```'* || ! $line ]]; then
+      living_links "${1%/*}" "$paragraph"
+      paragraph='' out+=$LIVING$line$'\n'
+      [[ $line != '```'* ]] || { [[ $code ]] && code='' || code=yes; }
+    else
+      paragraph+=$line$'\n'
+    fi
   done <"$1"
-  printf '%s' "$out" >"$1"
+  living_links "${1%/*}" "$paragraph"
+  printf '%s' "$out$LIVING" >"$1"
+}
+
+# living_links FOLDER PARAGRAPH: sets LIVING, the paragraph with the links that hold in this folder.
+living_links() {
+  local rest=$2 text target before
+  local link='\[(!\[[^]]*\]\([^)]*\)|[^][]*)\]\(([^][:space:])#]+)(#[^)]*)?\)'
+  LIVING=''
+  while [[ $rest =~ $link ]]; do
+    text=${BASH_REMATCH[1]} target=${BASH_REMATCH[2]} before=${rest%%"${BASH_REMATCH[0]}"*}
+    rest=${rest#*"${BASH_REMATCH[0]}"}
+    if [[ $target == *:* || -e $1/$target ]]; then
+      LIVING+=$before${BASH_REMATCH[0]}
+    else
+      LIVING+=${before%!}$text
+    fi
+  done
+  LIVING+=$rest
 }
 
 # pack_kit NAME: the zip, the same bytes for the same tree: sorted names, and one time for all.

@@ -17,6 +17,7 @@ heavy_checks() {
   step browser chromedriver browser_page
   step report chromedriver report_pages
   step red_team bwrap red_team
+  step student_kit cmake student_kit
   step fuzz clang++ fuzz_scene
   ((NOT_RUN)) && say lab_steps_not_run "$NOT_RUN"
   say lab_steps_sum "$PASSED" "$FAILED"
@@ -90,6 +91,9 @@ report_pages() { build "$BUILD" all && "$ROOT/tests/grading/report/report_test.s
 
 # The evil submissions before the whole grader.
 red_team() { build "$BUILD" all && "$ROOT/tests/grading/self_test.sh" "$ROOT" "$BUILD"; }
+
+# A kit in the hands of a student, from the zip to the mark.
+student_kit() { build "$BUILD" all && "$ROOT/tests/kits/kit_test.sh" "$ROOT" "$BUILD"; }
 
 # The reader of scene files against a minute of hostile ones, beginning with the committed corpus.
 fuzz_scene() {

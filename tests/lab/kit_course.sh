@@ -17,7 +17,7 @@ real() { # a tree that has what a kit is made of
   touch "$TREE/common/include/fos/"{closest_hit,math}.hpp "$TREE/docs/images/"{seen,unseen}.png
   touch "$TREE/tests/check/stages/"{flat_color,point}_test.cpp "$TREE/docs/en/stage-"{flat_color,point}.md
   # shellcheck disable=SC2016 # the backticks are Markdown's
-  printf '%s\n' '[check](checking.md#a) and [grading](grading.md), [a book](https://a.b/c)' \
+  printf '%s\n' '[check](checking.md#a) and [grading' 'a class](grading.md), [a book](https://a.b/c)' \
     '[![picture](../images/seen.png)](../figures/a.html)' '```' '[](auto)' '```' >"$TREE/docs/en/start.md"
   touch "$TREE/docs/en/"{checking,grading}.md
   rm "$WORK/bin/cmake"
@@ -46,8 +46,8 @@ check "student: no grading" not in_kit tests/grading
 check "student: nothing that makes kits" not in_kit tests/kits
 check "student: its own front page" grep -qx '# Fos: το εργαστήριο' "$WORK"/kit/*/README.el.md
 page=$(cat "$WORK"/kit/*/docs/en/start.md)
-check "a link in the kit stays" test "${page%%$'\n'*}" == \
-  '[check](checking.md#a) and grading, [a book](https://a.b/c)'
+check "a link in the kit stays, another becomes its words" test "${page%%$'\n'"!["*}" == \
+  $'[check](checking.md#a) and grading\na class, [a book](https://a.b/c)'
 check "a link to a figure becomes its picture" grep -qx '!\[picture\](../images/seen.png)' <<<"$page"
 check "code is no link" grep -qxF '[](auto)' <<<"$page"
 check "the pictures of its pages" in_kit docs/images/seen.png
