@@ -47,6 +47,7 @@ SCRIPTS=(
   watch/viewer_test
   grading/report/report_test
   grading/self_test
+  site/site_test
   house/spelling
   house/spelling_catches
   kits/kit_test
@@ -68,6 +69,8 @@ echo "tidy $*" >>"$STATE/calls"
 clang-tidy
 EOT
   chmod +x "$TREE/tests/lab/tidy.py"
+  mkdir -p "$TREE/docs/site"
+  echo 'docs() { echo docs >>"$STATE/calls"; }' >"$TREE/docs/site/docs.bash"
   for script in "${SCRIPTS[@]}"; do
     mkdir -p "$TREE/tests/${script%/*}"
     cat >"$TREE/tests/$script.sh" <<'EOT'
@@ -95,6 +98,7 @@ check "all: random scenes" called "ctest --test-dir $TREE/build/release --output
 check "all: random scenes" called '-C Heavy'
 check "all: the page in the browser" called "viewer_test $TREE $TREE/build/release"
 check "all: the reports in the browser" called "report_test $TREE $TREE/build/release"
+check "all: the site is made, and read in the browser" called $'docs\n'"site_test $TREE"
 check "all: the red team before the box" called "self_test $TREE $TREE/build/release"
 check "all: the spelling" called "spelling $TREE"
 check "all: a student's kit" called "kit_test $TREE $TREE/build/release"

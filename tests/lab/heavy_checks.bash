@@ -17,6 +17,7 @@ heavy_checks() {
   step browser chromedriver browser_page
   step report chromedriver report_pages
   step red_team bwrap red_team
+  step site chromedriver site_pages
   step student_kit cmake student_kit
   step fuzz clang++ fuzz_scene
   ((NOT_RUN)) && say lab_steps_not_run "$NOT_RUN"
@@ -88,6 +89,14 @@ browser_page() { build "$BUILD" all && "$ROOT/tests/watch/viewer_test.sh" "$ROOT
 
 # The reports of ./lab grade in one.
 report_pages() { build "$BUILD" all && "$ROOT/tests/grading/report/report_test.sh" "$ROOT" "$BUILD"; }
+
+# The site of ./lab docs in one.
+site_pages() {
+  # shellcheck source=docs/site/docs.bash
+  source "$ROOT/docs/site/docs.bash"
+  # shellcheck disable=SC2119 # the words of ./lab are not for it
+  docs && "$ROOT/tests/site/site_test.sh" "$ROOT"
+}
 
 # The evil submissions before the whole grader.
 red_team() { build "$BUILD" all && "$ROOT/tests/grading/self_test.sh" "$ROOT" "$BUILD"; }
