@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # quotes.sh ROOT BIN [--write]: what a page shows of our code and our programs is what they are. A code
-# block below one of these marks must equal what the mark names; --write makes it so.
+# block below one of these marks must equal what the mark names; --write makes it so. C++ has a mark.
 #   <!-- from FILE -->                      the whole file
 #   <!-- from FILE: NAME -->                its function or struct NAME
 #   <!-- run: explain STAGE C R A-B -->     what is right at that pixel of the lecture's scene, of
@@ -76,6 +76,7 @@ renewed() {
     elif [[ $line == '```'* ]]; then
       printf '%s\n' "$line"
       code=1 skip=$mark
+      [[ $line == '```cpp' && ! $mark ]] && echo "$1: code of its own, without a mark" >>"$work/wrong"
       if [[ $mark ]]; then
         quoted "$mark" >"$work/quote"
         [[ -s $work/quote ]] || echo "$1: nothing is '$mark'" >>"$work/wrong"
@@ -94,7 +95,7 @@ renewed() {
 : >"$work/wrong"
 for page in README.md README.el.md docs/en/*.md docs/el/*.md; do
   [[ -e $page ]] || continue
-  grep -qE '^<!-- (from|run:) ' "$page" || continue
+  grep -qE '^(<!-- (from|run:) |```cpp)' "$page" || continue
   FOS_LANG=en
   [[ $page == *.el.md || $page == docs/el/* ]] && FOS_LANG=el
   export FOS_LANG
