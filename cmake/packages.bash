@@ -7,6 +7,7 @@ declare -A PACKAGES=(
   [test]="catch2 libmpfi-dev libgmp-dev libmpfr-dev libhwy-dev"
   [grade]="bubblewrap libzip-dev libmd-dev nlohmann-json3-dev"
   [plot]="gnuplot-nox"
+  [figures]="clang lld wasi-libc libc++-dev-wasm32 libclang-rt-dev-wasm32"
   [check]="clang clang-format clang-tidy libclang-rt-dev shellcheck chromium chromium-driver libxml2-utils"
 )
 APT_LOG=$ROOT/build/apt.log

@@ -31,7 +31,7 @@ for command in "${commands[@]}"; do
   check "the function of ${command%%:*}" grep -q "^command_${command%%:*}() {" "$SOURCE/lab"
 done
 used+=$'\n'$(sed -nE 's/^  \[([a-z]+)\]=".*/lab_missing_\1/p' "$SOURCE/cmake/packages.bash")
-used+=$'\n'$(sed -nE 's/^  step ([a-z]+) .*/lab_step_\1/p' "$SOURCE/tests/lab/heavy_checks.bash")
+used+=$'\n'$(sed -nE 's/^  step ([a-z_]+) .*/lab_step_\1/p' "$SOURCE/tests/lab/heavy_checks.bash")
 while IFS= read -r key; do
   case $key in lab_help_ | lab_usage_ | lab_missing_ | lab_step_) continue ;; esac
   check "the text $key exists" grep -q "^TEXT($key,\$" "$catalogue"

@@ -15,6 +15,7 @@ heavy_checks() {
   step random ctest random_scenes
   step browser chromedriver browser_page
   step report chromedriver report_pages
+  step figures 'chromedriver wasm-ld' live_figures
   step red_team bwrap red_team
   step fuzz clang++ fuzz_scene
   ((NOT_RUN)) && say lab_steps_not_run "$NOT_RUN"
@@ -22,13 +23,14 @@ heavy_checks() {
   ((FAILED == 0))
 }
 
-# step NAME TOOL FUNCTION [ARGUMENT…]: runs the function, which needs the tool.
+# step NAME TOOLS FUNCTION [ARGUMENT…]: runs the function, which needs the tools.
 step() {
-  local name=$1 tool=$2 began=$SECONDS log=$LOGS/$1.log
+  local name=$1 began=$SECONDS log=$LOGS/$1.log tool missing=''
+  for tool in $2; do command -v "$tool" >/dev/null || missing+=" $tool"; done
   printf '%s … ' "$(say "lab_step_$name")"
-  if ! command -v "$tool" >/dev/null; then
+  if [[ $missing ]]; then
     NOT_RUN=$((NOT_RUN + 1))
-    say lab_step_not_run "$tool"
+    say lab_step_not_run "${missing# }"
   elif ("${@:3}") >"$log" 2>&1 </dev/null; then
     PASSED=$((PASSED + 1))
     say lab_step_passed "$((SECONDS - began))"
@@ -81,6 +83,12 @@ browser_page() { build "$BUILD" all && "$ROOT/tests/watch/viewer_test.sh" "$ROOT
 
 # The reports of ./lab grade in one.
 report_pages() { build "$BUILD" all && "$ROOT/tests/grading/report/report_test.sh" "$ROOT" "$BUILD"; }
+
+# The figures of the docs: what they show is what native programs show.
+live_figures() {
+  build "$BUILD" figures figure_frames fos_picture solution_combined &&
+    "$ROOT/tests/figures/figures_test.sh" "$ROOT" "$BUILD"
+}
 
 # The evil submissions before the whole grader.
 red_team() { build "$BUILD" all && "$ROOT/tests/grading/self_test.sh" "$ROOT" "$BUILD"; }
