@@ -8,7 +8,7 @@ declare -A PACKAGES=(
   [test]="catch2 libhwy-dev libmpfi-dev libgmp-dev libmpfr-dev"
   [grade]="bubblewrap libzip-dev libmd-dev nlohmann-json3-dev"
   [plot]="gnuplot-nox"
-  [figures]="lld wasi-libc"
+  [figures]="clang lld wasi-libc libc++-dev-wasm32 libclang-rt-dev-wasm32"
   [docs]="mkdocs mkdocs-material libjs-katex fonts-katex"
   [check]="clang clang-format clang-tidy libclang-rt-dev shellcheck hunspell hunspell-en-gb hunspell-el chromium chromium-driver libxml2-utils"
 )

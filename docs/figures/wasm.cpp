@@ -1,4 +1,5 @@
 // What the browser calls: numbers in, rows of pixels out. The tracer is a stage's own file.
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -13,15 +14,14 @@
 namespace {
 
 std::vector<double> numbers;
-std::vector<std::uint8_t> rows;
+std::vector<std::array<std::uint8_t, 4>> rows;
 
-void append(const fos::Color& color) {
-  const bool finite = std::isfinite(color.r) && std::isfinite(color.g) && std::isfinite(color.b);
-  for (int i = 0; i < 3; ++i) {
-    rows.push_back(finite ? fos::nearest_byte(color[i])
-                          : fos::not_finite_color[static_cast<std::size_t>(i)]);
+/// Red, green, blue and opaque.
+std::array<std::uint8_t, 4> pixel_of(const fos::Color& color) {
+  if (!std::isfinite(color.r) || !std::isfinite(color.g) || !std::isfinite(color.b)) {
+    return {fos::not_finite_color[0], fos::not_finite_color[1], fos::not_finite_color[2], 255};
   }
-  rows.push_back(255);  // opaque
+  return {fos::nearest_byte(color.r), fos::nearest_byte(color.g), fos::nearest_byte(color.b), 255};
 }
 
 }  // namespace
@@ -42,16 +42,15 @@ FOS_EXPORT(show) int show() {
 
 /// Every `step`th row from `first` on, RGBA.
 FOS_EXPORT(rows_from) const std::uint8_t* rows_from(int first, int step) {
-  const fos::Figure& figure = fos::shown_figure();
-  const fos::View& view = figure.view;
-  rows.clear();
-  rows.reserve(4 * static_cast<std::size_t>(view.canvas_width) *
-               static_cast<std::size_t>(view.canvas_height));
+  const auto& [mistake, terms, view, scene] = fos::shown_figure();
+  const auto width = static_cast<std::size_t>(view.canvas_width);
+  rows.resize(width * static_cast<std::size_t>(view.canvas_height));
+  auto* pixel = rows.data();
   for (int row = first; row < view.canvas_height; row += step) {
     for (int column = 0; column < view.canvas_width; ++column) {
       const fos::Vec3 D = fos::canvas_to_viewport(view, column, row);
-      append(fos::trace_ray(view.camera_position, D, 1, fos::infinity, figure.scene));
+      *pixel++ = pixel_of(fos::trace_ray(view.camera_position, D, 1, fos::infinity, scene));
     }
   }
-  return rows.data();
+  return rows.data()->data();
 }

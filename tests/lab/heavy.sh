@@ -46,6 +46,7 @@ check "the packages of the tests" called 'install -y --no-remove --no-install-re
 SCRIPTS=(
   watch/viewer_test
   grading/report/report_test
+  figures/figures_test
   grading/self_test
   site/site_test
   house/spelling
@@ -53,10 +54,10 @@ SCRIPTS=(
   kits/kit_test
 )
 STEPS=$(grep -c '^  step ' "$SOURCE/tests/lab/heavy_checks.bash")
-BROWSERS=$(grep -c '^  step [a-z_]* chromedriver ' "$SOURCE/tests/lab/heavy_checks.bash")
+BROWSERS=$(grep -cE "^  step [a-z_]* '?chromedriver[ ']" "$SOURCE/tests/lab/heavy_checks.bash")
 tools() {
   local tool
-  for tool in clang-format shellcheck hunspell clang++ clang-tidy chromedriver bwrap; do
+  for tool in clang-format shellcheck hunspell clang++ clang-tidy chromedriver wasm-ld bwrap; do
     pretend "$tool" <<'EOT'
 [[ $(cat "$STATE/fails" 2>/dev/null) != "${0##*/}" ]] || { echo "what it says"; exit 1; }
 EOT
@@ -99,6 +100,7 @@ check "all: random scenes" called '-C Heavy'
 check "all: the page in the browser" called "viewer_test $TREE $TREE/build/release"
 check "all: the reports in the browser" called "report_test $TREE $TREE/build/release"
 check "all: the site is made, and read in the browser" called $'docs\n'"site_test $TREE"
+check "all: the figures in the browser" called "figures_test $TREE $TREE/build/release"
 check "all: the red team before the box" called "self_test $TREE $TREE/build/release"
 check "all: the spelling" called "spelling $TREE"
 check "all: a student's kit" called "kit_test $TREE $TREE/build/release"
@@ -150,5 +152,10 @@ check "a tool is missing: not run" out 'NOT RUN: clang-tidy'
 check "a tool is missing: counted" out '1 not run'
 check "a tool is missing: not passed" closing 0 1
 check "a tool is missing: nothing failed" status 0
+mv "$WORK/bin/wasm-ld" "$WORK/wasm-ld"
+lab test all
+check "one of a step's tools is missing: not run" out 'NOT RUN: wasm-ld'
+check "one of a step's tools is missing: not passed" closing 0 2
+mv "$WORK/wasm-ld" "$WORK/bin/wasm-ld"
 
 finish

@@ -16,6 +16,7 @@ heavy_checks() {
   step random ctest random_scenes
   step browser chromedriver browser_page
   step report chromedriver report_pages
+  step figures 'chromedriver wasm-ld' live_figures
   step red_team bwrap red_team
   step site chromedriver site_pages
   step student_kit cmake student_kit
@@ -25,13 +26,14 @@ heavy_checks() {
   ((FAILED == 0))
 }
 
-# step NAME TOOL FUNCTION [ARGUMENT…]: runs the function, which needs the tool.
+# step NAME TOOLS FUNCTION [ARGUMENT…]: runs the function, which needs the tools.
 step() {
-  local name=$1 tool=$2 began=$SECONDS log=$LOGS/$1.log
+  local name=$1 began=$SECONDS log=$LOGS/$1.log tool missing=''
+  for tool in $2; do command -v "$tool" >/dev/null || missing+=" $tool"; done
   printf '%s … ' "$(say "lab_step_$name")"
-  if ! command -v "$tool" >/dev/null; then
+  if [[ $missing ]]; then
     NOT_RUN=$((NOT_RUN + 1))
-    say lab_step_not_run "$tool"
+    say lab_step_not_run "${missing# }"
   elif ("${@:3}") >"$log" 2>&1 </dev/null; then
     PASSED=$((PASSED + 1))
     say lab_step_passed "$((SECONDS - began))"
@@ -96,6 +98,12 @@ site_pages() {
   source "$ROOT/docs/site/docs.bash"
   # shellcheck disable=SC2119 # the words of ./lab are not for it
   docs && "$ROOT/tests/site/site_test.sh" "$ROOT"
+}
+
+# The figures of the docs: what they show is what native programs show.
+live_figures() {
+  build "$BUILD" figures figure_frames fos_picture solution_combined &&
+    "$ROOT/tests/figures/figures_test.sh" "$ROOT" "$BUILD"
 }
 
 # The evil submissions before the whole grader.

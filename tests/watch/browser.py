@@ -69,7 +69,7 @@ class Browser:
     def check_quiet(self):
         """Nothing was asked of anyone else, and nothing went wrong on the way."""
         names = self.run("return performance.getEntriesByType('resource').map((e) => e.name)")
-        assert all(name.startswith(("file:", "data:")) for name in names), names
+        assert all(name.startswith(("file:", "data:", "blob:")) for name in names), names
         errors = [entry for entry in self.ask("POST", "/se/log", {"type": "browser"})
                   if entry["level"] == "SEVERE"]
         assert not errors, errors
