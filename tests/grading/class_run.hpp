@@ -34,6 +34,9 @@ struct Entry {
 /// Puts what is known of a hand-in into its result; whether that changes it.
 bool complete(SubmissionResult& result, const Entry& entry);
 
+/// Whether the journal has them all.
+bool all_finished(const std::vector<Entry>& entries, const Journal& journal);
+
 /// Of all entries, those that were graded before too: their pages where a roster or an override has
 /// changed them, and the files of the class. What platforms would refuse, in words.
 std::vector<std::string> report_class(const GradeOptions& options, const Run& run,

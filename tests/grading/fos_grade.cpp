@@ -3,7 +3,6 @@
 // Exit status: 0 all is graded, 2 wrong usage or input, 3 the toolkit's own trouble: no box, a full
 // disk, or a submission that could not be judged; 130 interrupted.
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <csignal>
@@ -11,14 +10,14 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <random>
 
 #include "class_run.hpp"
+#include "equipment.hpp"
 #include "fos/text.hpp"
 #include "fos/whole_file.hpp"
 #include "grade_options.hpp"
-#include "grading/box/probe.hpp"
-#include "grading/box/workshop.hpp"
 #include "grading/intake/csv.hpp"
 #include "grading/intake/file_names.hpp"
 #include "grading/intake/intake.hpp"
@@ -47,57 +46,15 @@ std::string now() {
   return {text, length};
 }
 
-/// The seed that was asked for, that of an earlier run in this folder, or a new one.
-std::uint64_t seed_of(const GradeOptions& options) {
-  if (options.seed) return *options.seed;
+/// The last run in this folder, if there was one.
+std::optional<Run> run_before(const GradeOptions& options) {
   try {
     std::ifstream in(options.output / "run.json");
     const std::string json{std::istreambuf_iterator<char>(in), {}};
-    if (!json.empty()) return run_from_json(json).seed;
-  } catch (const JsonError&) {  // NOLINT(bugprone-empty-catch): then a new one
+    if (!json.empty()) return run_from_json(json);
+  } catch (const JsonError&) {  // NOLINT(bugprone-empty-catch): then none
   }
-  return std::random_device()() & 0xFFFFFFFFU;
-}
-
-/// A folder for this run where the box's users can come, gone at its end.
-class WorkFolder {
- public:
-  WorkFolder() : path_((fs::temp_directory_path() / "fos-grade-XXXXXX").string()) {
-    if (mkdtemp(path_.data()) == nullptr)
-      throw FileError(3, say(text::grade_no_work_folder, {path_}));
-    fs::permissions(path_, fs::perms(0711));
-  }
-  ~WorkFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  WorkFolder(const WorkFolder&) = delete;
-  WorkFolder& operator=(const WorkFolder&) = delete;
-  fs::path path() const { return path_; }
-
- private:
-  std::string path_;
-};
-
-/// The strongest box that holds here, said in words.
-BoxSetting find_box(const GradeOptions& options, const Workshop& workshop,
-                    const fs::path& scratch) {
-  ProbeSetting setting;
-  setting.box.inside = workshop.inside();
-  setting.box.compiler = this_build().compiler;
-  setting.scratch = scratch;
-  setting.secrets = {options.root / "solutions", options.root / "tests", fs::absolute(options.path),
-                     fs::absolute(options.output)};
-  setting.only = options.box;
-  setting.unsafe = options.unsafe;
-  const ProbeResult found = probe(setting);
-  for (const NotHad& each : found.not_had) {
-    std::cerr << say(text::grade_box_not_had, {name(each.level), each.why}) << '\n';
-  }
-  if (!found.level) throw FileError(3, say(text::grade_no_box));
-  std::cerr << say(text::grade_box, {name(*found.level)}) << '\n';
-  setting.box.level = *found.level;
-  return setting.box;
+  return std::nullopt;
 }
 
 /// Each hand-in of this part, with its student and its instructor's marks; its key is not known
@@ -124,6 +81,13 @@ std::vector<Entry> entries_of(const ClassFiles& hand_ins, const GradeOptions& op
   return entries;
 }
 
+/// What a result hangs on besides the files, the seed and the toolkit.
+std::string settings_of(const GradeOptions& options, const Shares& shares) {
+  std::string words;
+  for (const Stage* stage : options.stages) words += std::string(stage->id) + ' ';
+  return words + fmt::format("{} {} {}", shares.checks, shares.scenes, shares.relations);
+}
+
 int status_of(std::size_t not_judged) {
   if (not_judged == 0) return 0;
   std::cerr << say(text::grade_not_judged, {std::to_string(not_judged)}) << '\n';
@@ -131,7 +95,7 @@ int status_of(std::size_t not_judged) {
 }
 
 int grade(const GradeOptions& options) {
-  const ClassFiles hand_ins = read_class(options.path, stages);
+  const ClassFiles hand_ins = read_class(options.path, stages, options.one);
   std::cerr << hand_ins.words() << '\n';
   for (const std::string& note : hand_ins.notes()) std::cerr << note << '\n';
   if (options.list) {
@@ -148,40 +112,33 @@ int grade(const GradeOptions& options) {
   for (const std::string& damaged : journal.damaged()) {
     std::cerr << say(text::grade_damaged, {damaged}) << '\n';
   }
-  const WorkFolder work;
-  Workshop workshop(this_build(), work.path() / "workshop");
-  Course course;
-  course.box = find_box(options, workshop, work.path() / "probe");
-  course.workshop = &workshop;
-  course.picture_program = options.build / "bin" / "fos_picture";
-  course.seed = seed_of(options);
-  course.shares = {FOS_SHARES};
-  workshop.precompile(Box(course.box, 0, work.path() / "precompile"));
-  const DrawnScenes drawn(course.seed);
-  std::string settings;
-  for (const Stage* stage : options.stages) {
-    course.stages.emplace_back(*stage, drawn);
-    settings += std::string(stage->id) + ' ';
-  }
-  settings +=
-      fmt::format("{} {} {}", course.shares.checks, course.shares.scenes, course.shares.relations);
-
-  Run run{fs::absolute(options.path / ".").parent_path().filename().string(),
-          toolkit_version(options.root, options.build),
-          course.seed,
-          std::string(name(course.box.level)),
-          options.feedback,
-          now(),
-          options.part,
-          options.parts,
-          {},
-          false};
-  write_whole_file(options.output / "run.json", to_json(run));
+  const std::optional<Run> before = run_before(options);
+  const Shares shares{FOS_SHARES};
+  Run run;
+  run.title = fs::absolute(options.path / ".").parent_path().filename().string();
+  run.toolkit = toolkit_version(options.root, options.build);
+  run.seed = options.seed ? *options.seed
+             : before     ? before->seed
+                          : std::random_device()() & 0xFFFFFFFFU;
+  run.feedback = options.feedback;
+  run.date = now();
+  run.part = options.part;
+  run.parts = options.parts;
+  const std::string settings = settings_of(options, shares);
   for (Entry& entry : entries) {
     entry.key = result_key(hand_ins.read(entry.place), run.seed, run.toolkit, settings);
   }
-  const ClassRun class_run(course, options, run, work.path());
-  const Tally tally = class_run.grade(hand_ins, entries, journal, interrupted);
+  Tally tally;
+  if (before && all_finished(entries, journal)) {
+    run.box = before->box;
+    tally.finished_before = entries.size();
+  } else {
+    const Equipment equipment(options, shares, run.seed);
+    run.box = name(equipment.course().box.level);
+    write_whole_file(options.output / "run.json", to_json(run));
+    const ClassRun class_run(equipment.course(), options, run, equipment.scratch());
+    tally = class_run.grade(hand_ins, entries, journal, interrupted);
+  }
   for (const std::string& refused : report_class(options, run, entries, journal)) {
     std::cerr << refused << '\n';
   }

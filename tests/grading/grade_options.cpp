@@ -119,6 +119,8 @@ GradeOptions parse_grade_options(const std::vector<std::string>& arguments) {
     const auto option = with_value.find(argument.substr(0, equals));
     if (argument == "--unsafe") {
       options.unsafe = true;
+    } else if (argument == "--one") {
+      options.one = true;
     } else if (argument == "--list") {
       options.list = true;
     } else if (argument == "--merge") {

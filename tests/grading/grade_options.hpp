@@ -25,12 +25,13 @@ class UsageError : public std::runtime_error {
 struct GradeOptions {
   std::filesystem::path path;                 ///< what is graded
   std::vector<std::filesystem::path> merged;  ///< --merge: instead, the results of all parts
-  bool list = false;                          ///< --list: only says what would be graded
-  std::filesystem::path output;               ///< DIR
-  std::filesystem::path root;                 ///< of the toolkit's tree
-  std::filesystem::path build;                ///< its build folder
-  unsigned jobs = 0;                          ///< 0: one a processor
-  unsigned part = 1;                          ///< the part-th of `parts` equal shares of the class
+  bool one = false;              ///< --one: `path` is one submission, whatever it looks like
+  bool list = false;             ///< --list: only says what would be graded
+  std::filesystem::path output;  ///< DIR
+  std::filesystem::path root;    ///< of the toolkit's tree
+  std::filesystem::path build;   ///< its build folder
+  unsigned jobs = 0;             ///< 0: one a processor
+  unsigned part = 1;             ///< the part-th of `parts` equal shares of the class
   unsigned parts = 1;
   std::optional<std::uint64_t> seed;
   std::vector<const Stage*> stages;  ///< in the course's order; all of them by default

@@ -91,6 +91,11 @@ wait "$run"
 check "Ctrl-C ends it, with its own status" test $? == 130
 check "Ctrl-C: and says so" said 'goes on from there'
 
+# However it looks, it is one person's.
+fos_one() { "$BUILD/bin/fos_grade" --root "$ROOT" --build "$BUILD" "$CLASS" --list "$@" 2>/dev/null | grep -c $'\t'; }
+check "the list of the class" test "$(fos_one)" == 8
+check "--one: one submission" test "$(fos_one --one)" == 1
+
 # An instructor's marks and list of names.
 printf 'id,stage,points,reason\nstubs,point,12.5,ill\n' >"$WORK/marks.csv"
 printf 'name,username,email\nright,it21001,it21001@example.org\n' >"$WORK/roster.csv"

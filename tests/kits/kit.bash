@@ -1,5 +1,6 @@
 # `./lab kit student|instructor --lecture N`: the zip to hand out. Sourced by ./lab, whose words and options
-# it uses. What goes in is said in files.txt alone; git is not asked, so a kit can be made in a kit.
+# it uses, and pack.bash. What goes in is said in files.txt alone; git is not asked, so a kit can be made
+# in a kit.
 
 # kit_course AUDIENCE --lecture N [--output F.zip]
 kit_course() {
@@ -23,22 +24,8 @@ kit_course() {
   name=fos-$audience-lecture-$lecture
 
   set_up build
-  if [[ ! $output ]]; then
-    output=$ROOT/build/kits/$name.zip
-    if ! mkdir -p "$ROOT/build/kits" 2>/dev/null || [[ -d $output ]]; then fail 3 lab_kit_fails "$output"; fi
-  fi
-  [[ $output == /* ]] || output=$PWD/$output
-  KIT=$ROOT/build/kits/.$name.$$.part NEW=${output%/*}/.${output##*/}.$$.part
-  trap kit_undone EXIT
-  if ! fill_kit "$KIT/$name" || ! pack_kit "$name" || ! mv -f -- "$NEW" "$output"; then
-    fail 3 lab_kit_fails "$output"
-  fi
-  say lab_kit_done "${output#"$PWD/"}" "${#NAMES[@]}" "$(stat -c %s -- "$output")"
-}
-kit_undone() { rm -rf -- "$KIT" "$NEW" 2>/dev/null; }
-
-kit_place() {
-  case ${1,,} in *[^/].zip) check_place "$1" ;; *) fail 2 lab_bad_zip "$1" ;; esac
+  begin_kit "$name" "$output"
+  if ! fill_kit "$KIT/$name" || ! end_kit; then fail 3 lab_kit_fails "$KIT_ZIP"; fi
 }
 
 # fill_kit FOLDER: the tree that is to be in the zip. The stages are stubs, whatever stands in labs.
@@ -46,14 +33,14 @@ fill_kit() {
   local page file list=()
   local -A WORDS=() CHOSEN=()
   mkdir -p "$1" || return
-  cmake -D STAGES="$ROOT/labs/stages.json" -D LECTURE="$lecture" -D OUTPUT="$KIT" \
+  cmake -D STAGES="$ROOT/labs/stages.json" -D LECTURE="$lecture" -D OUTPUT="$1" \
     -P "$ROOT/tests/kits/cut_stages.cmake" || return
   # shellcheck source=/dev/null
-  source "$KIT/kit.sh" && choose_files || return
+  source "$1/kit.sh" && rm "$1/kit.sh" && choose_files || return
   for page in "${!CHOSEN[@]}"; do [[ $page != *.md ]] || choose_pictures "$page" || return; done
   list=("${!CHOSEN[@]}")
   (cd "$ROOT" && cp --parents -- "${list[@]}" "$1") &&
-    cp "$KIT/stages.json" "$1/labs/stages.json" || return
+    mv "$1/stages.json" "$1/labs/stages.json" || return
   for file in ${WORDS[file]}; do
     mkdir -p "$1/labs/${file%/*}" && cp "$ROOT/tests/check/shipped/$file" "$1/labs/$file" || return
   done
@@ -61,7 +48,6 @@ fill_kit() {
   for page in "$1"/*.md "$1"/docs/*/*.md; do
     if [[ -e $page ]]; then without_dead_links "$page" || return; fi
   done
-  chmod -R u=rwX,go=rX "$1"
 }
 
 # choose_files: CHOSEN, from the section of files.txt for this audience.
@@ -148,12 +134,4 @@ living_links() {
     fi
   done
   LIVING+=$rest
-}
-
-# pack_kit NAME: the zip, the same bytes for the same tree: sorted names, and one time for all.
-pack_kit() {
-  mapfile -t NAMES < <(cd "$KIT" && shopt -s globstar dotglob && IFS='' LC_ALL=C &&
-    for file in "$1"/**; do [[ ! -f $file ]] || printf '%s\n' "$file"; done)
-  printf '%s\n' "${NAMES[@]}" >"$KIT/names" &&
-    (cd "$KIT" && TZ=UTC cmake -E tar cf "$NEW" --format=zip --mtime='2020-01-01 00:00:00' --files-from=names)
 }

@@ -112,7 +112,7 @@ wrong() {
 }
 real
 mkdir "$WORK/folder.zip"
-wrong "there is no kit ''" kit
+wrong 'name one kit' kit
 wrong "did you mean 'student'" kit studnt --lecture 4
 wrong "there is no kit '--lecture'" kit --lecture 4
 wrong "./lab kit student --lecture N, with N one of 3 4" kit student

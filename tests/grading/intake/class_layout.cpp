@@ -247,8 +247,11 @@ Layout find_layout(const Listing& listing, const std::string& name, std::span<co
     }
     break;
   }
-  layout.kind = ClassKind::one;
-  layout.root.clear();
+  return layout_of_one(listing, name);
+}
+
+Layout layout_of_one(const Listing& listing, const std::string& name) {
+  Layout layout;
   HandInFiles all;
   all.whose.name = name;
   all.whose.source = ".";

@@ -38,4 +38,7 @@ struct Layout {
 /// Decides by what is there. `name` is what PATH is called, without `.zip`.
 Layout find_layout(const Listing& listing, const std::string& name, std::span<const Stage> stages);
 
+/// All that is there is one person's.
+Layout layout_of_one(const Listing& listing, const std::string& name);
+
 }  // namespace fos::grading

@@ -106,14 +106,15 @@ std::string left_out_words(const std::vector<std::string>& names) {
 
 }  // namespace
 
-ClassFiles read_class(const std::filesystem::path& path, std::span<const Stage> stages) {
+ClassFiles read_class(const std::filesystem::path& path, std::span<const Stage> stages, bool one) {
   auto contents = std::make_unique<ClassFiles::Contents>();
   contents->stages = stages;
   contents->container = open_path(path);
   try {
     Listing listing;
     contents->container->list([&](const FileEntry& entry) { listing.add(entry, stages); });
-    Layout layout = find_layout(listing, name_of(path), stages);
+    Layout layout =
+        one ? layout_of_one(listing, name_of(path)) : find_layout(listing, name_of(path), stages);
     if (layout.kind == ClassKind::gradescope) {
       add_gradescope_names(listing, layout, *contents->container);
     }

@@ -50,13 +50,16 @@ class ClassFiles {
   HandIn read(std::size_t i) const;
 
  private:
-  friend ClassFiles read_class(const std::filesystem::path& path, std::span<const Stage> stages);
+  friend ClassFiles read_class(const std::filesystem::path& path, std::span<const Stage> stages,
+                               bool one);
   struct Contents;
   explicit ClassFiles(std::unique_ptr<Contents> contents);
   std::unique_ptr<Contents> contents_;
 };
 
-/// Looks at PATH, and lists the hand-ins in it in the order of their ids. Throws IntakeError.
-ClassFiles read_class(const std::filesystem::path& path, std::span<const Stage> stages);
+/// Looks at PATH, and lists the hand-ins in it in the order of their ids. With `one` it is a single
+/// one, whatever it looks like. Throws IntakeError.
+ClassFiles read_class(const std::filesystem::path& path, std::span<const Stage> stages,
+                      bool one = false);
 
 }  // namespace fos::grading
