@@ -55,10 +55,10 @@ function choice(label, options, change) {
 const option = (value, label) => element("option", { value }, label);
 const group = (legend, ...rows) => element("fieldset", {}, element("legend", {}, legend), ...rows);
 
-// A canvas with its caption, and over it an svg in the same units, for handles.
+// A canvas with its caption, and over it an svg for handles, 600 × 600 whatever the canvas is.
 function picture(caption, size = 600) {
   const canvas = element("canvas", { width: size, height: size, role: "img", "aria-label": caption });
-  const over = element("svg", { viewBox: `0 0 ${size} ${size}`, "aria-hidden": "true" });
+  const over = element("svg", { viewBox: "0 0 600 600", "aria-hidden": "true" });
   const frame = element("div", { class: "picture" }, canvas, over);
   const whole = element("figure", {}, frame, element("figcaption", {}, caption));
   return { whole, frame, canvas, over };
@@ -250,9 +250,9 @@ function difference(canvas, a, b) {
 }
 
 // Two pictures, and what differs between them: `asked` says how each is made, as [module, numbers].
-function comparison(captions, asked) {
-  const [a, b] = captions.map((caption) => picture(caption));
-  const third = picture(say("figures_difference"));
+function comparison(captions, asked, size = 600) {
+  const [a, b] = captions.map((caption) => picture(caption, size));
+  const third = picture(say("figures_difference"), size);
   const verdict = element("p", { class: "verdict", role: "status" });
   const update = drawing(async () => {
     const [one, other] = asked();

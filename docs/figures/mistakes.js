@@ -3,6 +3,7 @@
 
 const catalogue = JSON.parse(document.getElementById("mistakes").textContent);
 const scene = slides();
+const size = 400; // the tracer that makes mistakes takes twice the time of a solution
 const [light] = scene.points;
 
 // Of the last stage that it can be made in: there is all the light there can be.
@@ -16,8 +17,8 @@ const views = comparison(
   () => {
     const terms = termsOf[catalogue[chosen].stages.at(-1)];
     return [0, chosen + 1].map((mistake) =>
-      ["mistakes", numbersOf(scene, { mistake, terms })]);
-  });
+      ["mistakes", numbersOf(scene, { size, mistake, terms })]);
+  }, size);
 const handle = lightHandle(views.a, light, update);
 const question = element("p");
 const options = (in_lecture_3) => catalogue.flatMap(({ id, stages }, i) =>
