@@ -92,4 +92,4 @@ while IFS= read -r line; do
     '<!-- end -->') skip='' && body "$@" ;;
     *) [[ $skip ]] || printf '%s\n' "$line" ;;
   esac
-done <"$here/$name.html" >"$page.new" && mv "$page.new" "$page"
+done <"$here/$name.html" >"$page.new" && mv "$page.new" "$page" || exit 3
