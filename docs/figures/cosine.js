@@ -13,7 +13,7 @@ let probe = [355, 195]; // column, row
 let here = null; // the module
 
 const main = picture(say("figures_cosine_picture"));
-main.frame.classList.add("still");
+main.frame.classList.add("still", "grab");
 main.over.classList.add("overlay");
 
 // The lines over the picture.

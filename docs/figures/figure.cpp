@@ -1,11 +1,14 @@
 #include "figure.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace fos {
 namespace {
 
 constexpr std::size_t fixed_count = 11;
+constexpr std::size_t whole_count = 7;
+constexpr double most = 16384;
 
 /// Takes them from the front.
 class Numbers {
@@ -33,6 +36,10 @@ class Numbers {
 
 std::optional<Figure> figure_of(std::span<const double> numbers) {
   if (numbers.size() < fixed_count) return std::nullopt;
+  const auto whole = numbers.first(whole_count);
+  if (!std::all_of(whole.begin(), whole.end(), [](double n) { return 0 <= n && n <= most; })) {
+    return std::nullopt;
+  }
   Numbers next(numbers);
   Figure figure;
   figure.mistake = next.whole();

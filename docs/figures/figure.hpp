@@ -18,7 +18,7 @@ struct Figure {
 /// The numbers are, in this order: the mistake, the terms, the canvas's width and height, how many
 /// spheres, point lights and directional lights, I_A, the background; then for each sphere its
 /// center, radius and color, for each light its intensity and its position or direction. Nothing
-/// where there are more or fewer than these counts say.
+/// where there are more or fewer than these counts say, or the whole ones are not 0..16384.
 std::optional<Figure> figure_of(std::span<const double> numbers);
 
 /// The one that is being shown, with which trace_ray is called.

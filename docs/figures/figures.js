@@ -4,7 +4,8 @@
 // --- words -----------------------------------------------------------------------------------------
 
 const texts = JSON.parse(document.getElementById("words").textContent);
-const wished = new URLSearchParams(location.search).get("lang") ?? navigator.language;
+const query = new URLSearchParams(location.search);
+const wished = query.get("lang") ?? navigator.language;
 const language = wished.startsWith("el") ? "el" : "en";
 const say = (key, ...values) =>
   texts[key][language].replace(/\{(\d)\}/g, (_, i) => values[i]);
@@ -54,10 +55,10 @@ function choice(label, options, change) {
 const option = (value, label) => element("option", { value }, label);
 const group = (legend, ...rows) => element("fieldset", {}, element("legend", {}, legend), ...rows);
 
-// A canvas with its caption, and over it an svg in the same units, for handles.
+// A canvas with its caption, and over it an svg for handles, 600 × 600 whatever the canvas is.
 function picture(caption, size = 600) {
   const canvas = element("canvas", { width: size, height: size, role: "img", "aria-label": caption });
-  const over = element("svg", { viewBox: `0 0 ${size} ${size}`, "aria-hidden": "true" });
+  const over = element("svg", { viewBox: "0 0 600 600", "aria-hidden": "true" });
   const frame = element("div", { class: "picture" }, canvas, over);
   const whole = element("figure", {}, frame, element("figcaption", {}, caption));
   return { whole, frame, canvas, over };
@@ -88,6 +89,8 @@ function onKeys(target, step) {
     PageUp: [0, 0, 1], PageDown: [0, 0, -1],
   };
   target.tabIndex = 0;
+  target.setAttribute("role", "application");
+  target.setAttribute("aria-label", target.querySelector("canvas").getAttribute("aria-label"));
   target.addEventListener("keydown", (event) => {
     if (!(event.key in steps) || event.ctrlKey || event.altKey || event.metaKey) return;
     event.preventDefault();
@@ -143,10 +146,15 @@ const modules = Object.fromEntries(
 const workers = [0, 1].map(() => new Worker(URL.createObjectURL(
   new Blob([document.getElementById("worker").textContent], { type: "text/javascript" }))));
 
+// A worker answers in the order in which it is asked.
+for (const worker of workers) {
+  worker.asked = [];
+  worker.onmessage = ({ data }) => worker.asked.shift().resolve(data);
+  worker.onerror = ({ message }) => worker.asked.shift().reject(new Error(message));
+}
 function ask(worker, message) {
   return new Promise((resolve, reject) => {
-    worker.onmessage = ({ data }) => resolve(data);
-    worker.onerror = ({ message: words }) => reject(new Error(words));
+    worker.asked.push({ resolve, reject });
     worker.postMessage(message);
   });
 }
@@ -241,15 +249,15 @@ function difference(canvas, a, b) {
   return count === 0 ? say("figures_same", pixels) : say("figures_differ", count, pixels, most);
 }
 
-// Two pictures, and what differs between them: `ask` says how each is made, as [module, numbers].
-function comparison(captions, ask) {
-  const [a, b] = captions.map((caption) => picture(caption));
-  const third = picture(say("figures_difference"));
+// Two pictures, and what differs between them: `asked` says how each is made, as [module, numbers].
+function comparison(captions, asked, size = 600) {
+  const [a, b] = captions.map((caption) => picture(caption, size));
+  const third = picture(say("figures_difference"), size);
   const verdict = element("p", { class: "verdict", role: "status" });
   const update = drawing(async () => {
-    const [one, other] = ask();
-    const left = await draw(a.canvas, ...one);
-    verdict.textContent = difference(third.canvas, left, await draw(b.canvas, ...other));
+    const [one, other] = asked();
+    const frames = await Promise.all([draw(a.canvas, ...one), draw(b.canvas, ...other)]);
+    verdict.textContent = difference(third.canvas, ...frames);
   });
   const whole = element("div", { class: "row still" }, a.whole, b.whole, third.whole);
   return { a, b, whole, verdict, update };
@@ -279,12 +287,13 @@ function lightHandle({ over, frame }, light, update) {
 // Puts the page up: the title and lead of a figure, then its parts; and begins.
 async function start(name, parts, begin) {
   const other = language === "el" ? "en" : "el";
+  query.set("lang", other);
   document.documentElement.lang = language;
   document.title = say(`figures_${name}_title`);
   document.body.append(
     element("header", {},
       element("h1", {}, say(`figures_${name}_title`)),
-      element("a", { href: `?lang=${other}`, hreflang: other, lang: other },
+      element("a", { href: `?${query}`, hreflang: other, lang: other },
         say("figures_other_language"))),
     element("p", {}, say(`figures_${name}_lead`)),
     element("main", { class: name }, ...parts));

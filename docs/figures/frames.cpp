@@ -1,9 +1,12 @@
 // figure_MODULE: the frames that the pages should show. Reads figures, a line of numbers each, and
 // writes their pixels one after the other, RGBA: by the library's own loop over the pixels, for the
 // pages have another.
+#include <array>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <span>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -38,10 +41,11 @@ int main() {
       }
       fos::shown_figure() = std::move(*figure);
       std::string bytes;
-      fos::render(fos::shown_figure().scene, fos::shown_figure().view,
-                  [&](std::span<const fos::Color> colors, std::span<const std::uint8_t>) {
-                    for (const fos::Color& color : colors) append(bytes, color);
-                  });
+      fos::render(
+          fos::shown_figure().scene, fos::shown_figure().view,
+          [&](std::span<const fos::Color> colors, std::span<const std::uint8_t> /*unwritten*/) {
+            for (const fos::Color& color : colors) append(bytes, color);
+          });
       std::cout << bytes;
     }
     return std::cout.flush() ? 0 : 3;

@@ -3,20 +3,22 @@
 
 const catalogue = JSON.parse(document.getElementById("mistakes").textContent);
 const scene = slides();
+const size = 400; // the tracer that makes mistakes takes twice the time of a solution
 const [light] = scene.points;
 
 // Of the last stage that it can be made in: there is all the light there can be.
 const termsOf = { F: 0, A: 1, P: 3, D: 5, C: 7 };
-const wanted = new URLSearchParams(location.search).get("mistake");
-let chosen = Math.max(catalogue.findIndex(({ id }) => id === (wanted ?? "L_not_normalised")), 0);
+const numberOf = (name) => catalogue.findIndex(({ id }) => id === name);
+let chosen = numberOf(query.get("mistake"));
+if (chosen < 0) chosen = numberOf("L_not_normalised");
 
 const views = comparison(
   [say("figures_mistakes_right"), say("figures_mistakes_wrong")],
   () => {
     const terms = termsOf[catalogue[chosen].stages.at(-1)];
     return [0, chosen + 1].map((mistake) =>
-      ["mistakes", numbersOf(scene, { mistake, terms })]);
-  });
+      ["mistakes", numbersOf(scene, { size, mistake, terms })]);
+  }, size);
 const handle = lightHandle(views.a, light, update);
 const question = element("p");
 const options = (in_lecture_3) => catalogue.flatMap(({ id, stages }, i) =>

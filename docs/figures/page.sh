@@ -2,7 +2,7 @@
 # page.sh ROOT NAME PAGE MODULE.wasm…: puts the page of a figure together, one file that asks for no
 # other: NAME.html with its style and scripts, the modules, the still picture and the words in both
 # languages. page.sh ROOT --no-compiler: says why there is none here.
-set -u
+set -u -o pipefail
 here=$1/docs/figures texts=$1/common/text name=$2
 
 # words FILE KEY…: of the catalogue, whose entries have three lines, those whose key begins so; as
@@ -50,6 +50,7 @@ mkdir -p "${page%/*}" || exit 3
 { echo && cat "$here/figures.js" "$here/$name.js"; } >"$work/script" || exit 3
 { echo && cat "$here/figures.css"; } >"$work/style" || exit 3
 still=$here/../images/figure-$name.png
+cat "$still" "$here/$name.html" "$here/worker.js" "$texts/mistakes.def" "$@" >/dev/null || exit 3
 
 head() {
   local policy="default-src 'none'; img-src data:; worker-src blob:;"
@@ -91,4 +92,4 @@ while IFS= read -r line; do
     '<!-- end -->') skip='' && body "$@" ;;
     *) [[ $skip ]] || printf '%s\n' "$line" ;;
   esac
-done <"$here/$name.html" >"$page.new" && mv "$page.new" "$page"
+done <"$here/$name.html" >"$page.new" && mv "$page.new" "$page" || exit 3

@@ -24,6 +24,11 @@ rule 'common includes from common only' < <(
   done)
 rule 'a stage includes fos/ headers only' < <(
   includes labs solutions | grep -v ':fos/[a-z_]*\.hpp$')
+rule 'a figure includes fos/ headers and its own' < <(
+  includes docs/figures | while IFS=: read -r file header; do
+    [[ $header == fos/* || -e docs/figures/$header ]] && [[ $header != *..* ]] ||
+      echo "$file: $header"
+  done)
 rule 'lecture 3 is built without closest_hit.hpp' < <(
   includes labs/lecture03 solutions/lecture03 | grep closest_hit)
 rule 'of common, the oracle includes scene_text.hpp only' < <(

@@ -8,7 +8,7 @@ failed=0
 fresh() {
   rm -rf "${tree:?}"/*
   mkdir -p "$tree"/{common/include/fos,common/src,common/text,labs/lecture03,solutions/lecture03} \
-    "$tree"/tests/{reference,check}
+    "$tree"/{docs/figures,tests/{reference,check}}
   printf '#include <vector>\n\n#include "fos/math.hpp"\n' >"$tree/common/include/fos/scene.hpp"
   touch "$tree"/common/include/fos/{math,scene_text,closest_hit,frame}.hpp
   echo '#include "fos/scene.hpp"' >"$tree/labs/lecture03/a.cpp"
@@ -29,6 +29,8 @@ breaks labs/lecture03/a.cpp '#include "helper.hpp"'
 breaks solutions/lecture03/a.cpp '  # include "../tests/judge.hpp"'
 breaks labs/lecture03/a.cpp '#include "fos/closest_hit.hpp"'
 breaks labs/lecture03/a.cpp '#include <fos/closest_hit.hpp>'
+breaks docs/figures/a.cpp '#include "mistakes.hpp"'
+breaks docs/figures/a.cpp '#include "../../tests/check/judge.hpp"'
 breaks tests/reference/a.cpp '#include "fos/frame.hpp"'
 breaks tests/reference/a.cpp '#include "../../solutions/lecture03/a.cpp"'
 breaks common/include/fos/scene.hpp '#include <fstream>'

@@ -56,7 +56,7 @@ tests_once() {
 }
 
 check_format() {
-  clang-format --dry-run -Werror "$ROOT"/{common,labs,solutions,tests}/**/*.{cpp,hpp}
+  clang-format --dry-run -Werror "$ROOT"/{common,labs,solutions,tests,docs}/**/*.{cpp,hpp}
 }
 
 check_shell() {

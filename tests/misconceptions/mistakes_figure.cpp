@@ -1,4 +1,5 @@
 // The tracer that makes mistakes as a stage, for the page that switches one on.
+#include <cstddef>
 #include <optional>
 
 #include "figure.hpp"
@@ -19,8 +20,10 @@ Color trace_ray(const Vec3& O, const Vec3& D, Real t_min, Real t_max, const Scen
   const Chosen chosen{shown_figure().mistake, shown_figure().terms, &scene};
   if (made != chosen) {
     MistakeSet mistakes;
-    if (chosen.mistake > 0)
-      mistakes.add(misconceptions()[static_cast<std::size_t>(chosen.mistake) - 1].mistake);
+    const auto number = static_cast<std::size_t>(chosen.mistake);
+    if (0 < number && number <= misconceptions().size()) {
+      mistakes.add(misconceptions()[number - 1].mistake);
+    }
     tracer.emplace(scene, chosen.terms, mistakes);
     made = chosen;
   }
