@@ -48,6 +48,7 @@ SCRIPTS=(
   grading/report/report_test
   grading/self_test
   kits/kit_test
+  kits/adding_a_stage
 )
 STEPS=$(grep -c '^  step ' "$SOURCE/tests/lab/heavy_checks.bash")
 BROWSERS=$(grep -c '^  step [a-z_]* chromedriver ' "$SOURCE/tests/lab/heavy_checks.bash")
@@ -95,6 +96,7 @@ check "all: the page in the browser" called "viewer_test $TREE $TREE/build/relea
 check "all: the reports in the browser" called "report_test $TREE $TREE/build/release"
 check "all: the red team before the box" called "self_test $TREE $TREE/build/release"
 check "all: a student's kit" called "kit_test $TREE $TREE/build/release"
+check "all: a stage is added" called "adding_a_stage $TREE $TREE/build/release"
 check "all: warnings are errors, for clang++" called '-DCMAKE_CXX_COMPILER=clang++ -DFOS_WERROR=ON'
 check "all: the linter has the commands of clang++" called "tidy $TREE/build/clang/compile_commands.json"
 : >"$STATE/calls"
