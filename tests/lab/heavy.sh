@@ -52,6 +52,7 @@ SCRIPTS=(
   house/spelling
   house/spelling_catches
   kits/kit_test
+  kits/adding_a_stage
 )
 STEPS=$(grep -c '^  step ' "$SOURCE/tests/lab/heavy_checks.bash")
 BROWSERS=$(grep -cE "^  step [a-z_]* '?chromedriver[ ']" "$SOURCE/tests/lab/heavy_checks.bash")
@@ -104,6 +105,7 @@ check "all: the figures in the browser" called "figures_test $TREE $TREE/build/r
 check "all: the red team before the box" called "self_test $TREE $TREE/build/release"
 check "all: the spelling" called "spelling $TREE"
 check "all: a student's kit" called "kit_test $TREE $TREE/build/release"
+check "all: a stage is added" called "adding_a_stage $TREE $TREE/build/release"
 check "all: warnings are errors, for clang++" called '-DCMAKE_CXX_COMPILER=clang++ -DFOS_WERROR=ON'
 check "all: the linter has the commands of clang++" called "tidy $TREE/build/clang/compile_commands.json"
 : >"$STATE/calls"

@@ -20,6 +20,7 @@ heavy_checks() {
   step red_team bwrap red_team
   step site chromedriver site_pages
   step student_kit cmake student_kit
+  step adding_a_stage cmake adding_a_stage
   step fuzz clang++ fuzz_scene
   ((NOT_RUN)) && say lab_steps_not_run "$NOT_RUN"
   say lab_steps_sum "$PASSED" "$FAILED"
@@ -111,6 +112,9 @@ red_team() { build "$BUILD" all && "$ROOT/tests/grading/self_test.sh" "$ROOT" "$
 
 # A kit in the hands of a student, from the zip to the mark.
 student_kit() { build "$BUILD" all && "$ROOT/tests/kits/kit_test.sh" "$ROOT" "$BUILD"; }
+
+# The page that says how a stage is added, followed to the letter.
+adding_a_stage() { build "$BUILD" all && "$ROOT/tests/kits/adding_a_stage.sh" "$ROOT" "$BUILD"; }
 
 # The reader of scene files against a minute of hostile ones, beginning with the committed corpus.
 fuzz_scene() {
