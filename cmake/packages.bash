@@ -7,7 +7,8 @@ declare -A PACKAGES=(
   [test]="catch2 libmpfi-dev libgmp-dev libmpfr-dev libhwy-dev"
   [grade]="bubblewrap libzip-dev libmd-dev nlohmann-json3-dev"
   [plot]="gnuplot-nox"
-  [check]="clang clang-format clang-tidy libclang-rt-dev shellcheck chromium chromium-driver libxml2-utils"
+  [check]="clang clang-format clang-tidy libclang-rt-dev shellcheck chromium chromium-driver libxml2-utils python3-yaml"
+  [slurm]="slurmctld slurmd slurm-client munge"
 )
 APT_LOG=$ROOT/build/apt.log
 

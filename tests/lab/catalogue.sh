@@ -6,7 +6,8 @@ source "$(dirname "$0")/harness.bash" "$1"
 catalogue=$SOURCE/common/text/lab.def
 scripts=("$SOURCE/lab" "$SOURCE/cmake/packages.bash" "$SOURCE/tests/lab/heavy_checks.bash"
   "$SOURCE/tests/numerics/trade.bash" "$SOURCE/tests/check/student.bash"
-  "$SOURCE/tests/explain/explain.bash" "$SOURCE/tests/grading/grade.bash")
+  "$SOURCE/tests/explain/explain.bash" "$SOURCE/tests/grading/grade.bash"
+  "$SOURCE/tests/grading/kits/kit.bash")
 keys=()
 while IFS= read -r line; do
   [[ $line == //* ]] && continue

@@ -33,7 +33,8 @@ make_tree() {
   done
   for name in g++ cmake ninja-build libglm-dev libfmt-dev tao-pegtl-dev libopenimageio-dev openimageio-tools \
     fonts-dejavu-core catch2 libmpfi-dev libgmp-dev libmpfr-dev libhwy-dev zlib1g-dev libzip-dev libmd-dev nlohmann-json3-dev gnuplot-nox clang clang-format \
-    clang-tidy libclang-rt-dev shellcheck chromium chromium-driver bubblewrap libxml2-utils; do
+    clang-tidy libclang-rt-dev shellcheck chromium chromium-driver bubblewrap libxml2-utils python3-yaml \
+    slurmctld slurmd slurm-client munge; do
     touch "$STATE/installed-$name"
   done
   touch "$STATE/lists" "$STATE/network"

@@ -47,12 +47,14 @@ SCRIPTS=(
   watch/viewer_test
   grading/report/report_test
   grading/self_test
+  grading/kits/kits_test
+  grading/kits/slurm_test
 )
 STEPS=$(grep -c '^  step ' "$SOURCE/tests/lab/heavy_checks.bash")
 BROWSERS=$(grep -c '^  step [a-z_]* chromedriver ' "$SOURCE/tests/lab/heavy_checks.bash")
 tools() {
   local tool
-  for tool in clang-format shellcheck clang++ clang-tidy chromedriver bwrap; do
+  for tool in clang-format shellcheck clang++ clang-tidy chromedriver bwrap python3 slurmctld; do
     pretend "$tool" <<'EOT'
 [[ $(cat "$STATE/fails" 2>/dev/null) != "${0##*/}" ]] || { echo "what it says"; exit 1; }
 EOT
@@ -93,6 +95,8 @@ check "all: random scenes" called '-C Heavy'
 check "all: the page in the browser" called "viewer_test $TREE $TREE/build/release"
 check "all: the reports in the browser" called "report_test $TREE $TREE/build/release"
 check "all: the red team before the box" called "self_test $TREE $TREE/build/release"
+check "all: the kits, as their platforms use them" called "kits_test $TREE $TREE/build/release"
+check "all: one of them before Slurm" called "slurm_test $TREE $TREE/build/release"
 check "all: warnings are errors, for clang++" called '-DCMAKE_CXX_COMPILER=clang++ -DFOS_WERROR=ON'
 check "all: the linter has the commands of clang++" called "tidy $TREE/build/clang/compile_commands.json"
 : >"$STATE/calls"
@@ -130,6 +134,11 @@ for script in "${SCRIPTS[@]##*/}"; do
   check "$script fails" closing 1
   rm "$STATE/$script-fails"
 done
+printf '#!/bin/bash\necho some word\necho "a mount of its own"\nexit 75\n' >"$TREE/tests/grading/kits/kits_test.sh"
+lab test all
+check "a step that cannot run: not run, and why" out 'NOT RUN: a mount of its own'
+check "a step that cannot run: not passed" closing 0 1
+tools
 mv "$WORK/bin/chromedriver" "$WORK/chromedriver"
 lab test all
 check "no browser: not run" out 'NOT RUN: chromedriver'

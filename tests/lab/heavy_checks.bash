@@ -16,13 +16,16 @@ heavy_checks() {
   step browser chromedriver browser_page
   step report chromedriver report_pages
   step red_team bwrap red_team
+  step kits python3 platform_kits
+  step slurm slurmctld slurm_kit
   step fuzz clang++ fuzz_scene
   ((NOT_RUN)) && say lab_steps_not_run "$NOT_RUN"
   say lab_steps_sum "$PASSED" "$FAILED"
   ((FAILED == 0))
 }
 
-# step NAME TOOL FUNCTION [ARGUMENT…]: runs the function, which needs the tool.
+# step NAME TOOL FUNCTION [ARGUMENT…]: runs the function, which needs the tool; status 75 says that it
+# needs more than that, and its last line what.
 step() {
   local name=$1 tool=$2 began=$SECONDS log=$LOGS/$1.log
   printf '%s … ' "$(say "lab_step_$name")"
@@ -32,6 +35,9 @@ step() {
   elif ("${@:3}") >"$log" 2>&1 </dev/null; then
     PASSED=$((PASSED + 1))
     say lab_step_passed "$((SECONDS - began))"
+  elif (($? == 75)); then
+    NOT_RUN=$((NOT_RUN + 1))
+    say lab_step_not_run "$(tail -n 1 "$log")"
   else
     FAILED=$((FAILED + 1))
     say lab_step_failed "$((SECONDS - began))" "$log"
@@ -84,6 +90,10 @@ report_pages() { build "$BUILD" all && "$ROOT/tests/grading/report/report_test.s
 
 # The evil submissions before the whole grader.
 red_team() { build "$BUILD" all && "$ROOT/tests/grading/self_test.sh" "$ROOT" "$BUILD"; }
+
+# The kits, by what Gradescope, GitHub Actions and a Slurm of this machine alone do with them.
+platform_kits() { build "$BUILD" all && "$ROOT/tests/grading/kits/kits_test.sh" "$ROOT" "$BUILD"; }
+slurm_kit() { build "$BUILD" all && "$ROOT/tests/grading/kits/slurm_test.sh" "$ROOT" "$BUILD"; }
 
 # The reader of scene files against a minute of hostile ones, beginning with the committed corpus.
 fuzz_scene() {
