@@ -29,7 +29,7 @@ kit_platform() {
   fi
   [[ $output == /* ]] || output=$PWD/$output
   NEW=${output%/*}/.${output##*/}.$$.part KIT=$(mktemp -d) || exit 3
-  trap 'rm -rf -- "$KIT" "$NEW"' EXIT
+  trap 'rm -rf -- "$KIT" "$KIT.list" "$NEW"' EXIT
   if ! "kit_${kinds[0]}" || ! kit_zip || ! mv -f -- "$NEW" "$output"; then fail 3 lab_kit_fails "$output"; fi
   say lab_kit_done "${output#"$PWD/"}" "$seed" "$feedback"
 }
@@ -71,7 +71,4 @@ kit_zip() {
   chmod -R u=rwX,go=rX "$KIT" &&
     (cd "$KIT" && find . -type f -printf '%P\n' | LC_ALL=C sort >"$KIT.list" &&
       TZ=UTC cmake -E tar cf "$NEW" --format=zip --mtime='2026-01-01 00:00:00' --files-from="$KIT.list") >&2
-  local status=$?
-  rm -f "$KIT.list"
-  return "$status"
 }
