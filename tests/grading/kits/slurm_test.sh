@@ -60,11 +60,12 @@ until_true() { # SECONDS COMMAND…
 }
 start munged munged --foreground --force --key-file "$STATE/key" --socket "$STATE/munge" \
   --pid-file "$STATE/munged.pid" --log-file "$STATE/log/munge" --seed-file "$STATE/seed"
-until_true 10 test -S "$STATE/munge" || { cat "$STATE/log/munged" && exit 3; }
+starts() { "$@" || { tail -n 5 "$STATE"/log/* && echo 'a machine on which Slurm starts' && exit 75; }; }
+starts until_true 10 test -S "$STATE/munge"
 start slurmctld slurmctld -D -c
 start slurmd slurmd -D -N "$(hostname -s)"
 is_idle() { [[ $(sinfo -h -o %t) == idle ]]; }
-until_true 30 is_idle || { tail -n 5 "$STATE"/log/* && exit 3; }
+starts until_true 30 is_idle
 
 # The class, graded at once, and by the kit. The grader in BUILD stands for one built from the kit.
 # shellcheck source=tests/grading/class_of.bash
