@@ -10,7 +10,8 @@ declare -A PACKAGES=(
   [plot]="gnuplot-nox"
   [figures]="clang lld wasi-libc libc++-dev-wasm32 libclang-rt-dev-wasm32"
   [docs]="mkdocs mkdocs-material libjs-katex fonts-katex"
-  [check]="clang clang-format clang-tidy libclang-rt-dev shellcheck hunspell hunspell-en-gb hunspell-el chromium chromium-driver libxml2-utils"
+  [check]="clang clang-format clang-tidy libclang-rt-dev shellcheck hunspell hunspell-en-gb hunspell-el chromium chromium-driver libxml2-utils python3-yaml"
+  [slurm]="slurmctld slurmd slurm-client munge"
 )
 APT_LOG=$ROOT/build/apt.log
 

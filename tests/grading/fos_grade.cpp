@@ -143,6 +143,7 @@ int grade(const GradeOptions& options) {
     std::cerr << refused << '\n';
   }
   run.is_finished = true;
+  run.finished.reserve(entries.size());
   for (const Entry& entry : entries) run.finished.push_back(entry.whose.id);
   write_whole_file(options.output / "run.json", to_json(run));
   std::cout << say(text::grade_done,

@@ -53,12 +53,15 @@ SCRIPTS=(
   house/spelling_catches
   kits/kit_test
   kits/adding_a_stage
+  grading/kits/kits_test
+  grading/kits/slurm_test
 )
 STEPS=$(grep -c '^  step ' "$SOURCE/tests/lab/heavy_checks.bash")
 BROWSERS=$(grep -cE "^  step [a-z_]* '?chromedriver[ ']" "$SOURCE/tests/lab/heavy_checks.bash")
+WASM=$(grep -cE "^  step [a-z_]* '.*wasm-ld" "$SOURCE/tests/lab/heavy_checks.bash")
 tools() {
   local tool
-  for tool in clang-format shellcheck hunspell clang++ clang-tidy chromedriver wasm-ld bwrap; do
+  for tool in clang-format shellcheck hunspell clang++ clang-tidy chromedriver wasm-ld mkdocs bwrap python3 slurmctld; do
     pretend "$tool" <<'EOT'
 [[ $(cat "$STATE/fails" 2>/dev/null) != "${0##*/}" ]] || { echo "what it says"; exit 1; }
 EOT
@@ -106,6 +109,8 @@ check "all: the red team before the box" called "self_test $TREE $TREE/build/rel
 check "all: the spelling" called "spelling $TREE"
 check "all: a student's kit" called "kit_test $TREE $TREE/build/release"
 check "all: a stage is added" called "adding_a_stage $TREE $TREE/build/release"
+check "all: the kits, as their platforms use them" called "kits_test $TREE $TREE/build/release"
+check "all: one of them before Slurm" called "slurm_test $TREE $TREE/build/release"
 check "all: warnings are errors, for clang++" called '-DCMAKE_CXX_COMPILER=clang++ -DFOS_WERROR=ON'
 check "all: the linter has the commands of clang++" called "tidy $TREE/build/clang/compile_commands.json"
 : >"$STATE/calls"
@@ -143,6 +148,11 @@ for script in "${SCRIPTS[@]##*/}"; do
   check "$script fails" closing 1
   rm "$STATE/$script-fails"
 done
+printf '#!/bin/bash\necho some word\necho "a mount of its own"\nexit 75\n' >"$TREE/tests/grading/kits/kits_test.sh"
+lab test all
+check "a step that cannot run: not run, and why" out 'NOT RUN: a mount of its own'
+check "a step that cannot run: not passed" closing 0 1
+tools
 mv "$WORK/bin/chromedriver" "$WORK/chromedriver"
 lab test all
 check "no browser: not run" out 'NOT RUN: chromedriver'
@@ -157,7 +167,7 @@ check "a tool is missing: nothing failed" status 0
 mv "$WORK/bin/wasm-ld" "$WORK/wasm-ld"
 lab test all
 check "one of a step's tools is missing: not run" out 'NOT RUN: wasm-ld'
-check "one of a step's tools is missing: not passed" closing 0 2
+check "one of a step's tools is missing: not passed" closing 0 "$((1 + WASM))"
 mv "$WORK/wasm-ld" "$WORK/bin/wasm-ld"
 
 finish

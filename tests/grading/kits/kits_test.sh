@@ -2,13 +2,13 @@
 # kits_test.sh ROOT BUILD: the kits for Gradescope and for GitHub Actions, by what these do with them: the
 # folders of the one are made again, the steps of the other are run. The grader in BUILD stands for one
 # built from the kit; that the kit has all that it is built from is asked of CMake and Ninja.
-# Exit status 77: not run, and the last line says what was missing.
+# Exit status 75: not run, and the last line says what was missing.
 # shellcheck disable=SC2016,SC2317 # scripts for other shells; functions for `check`
 ROOT=$(readlink -f -- "$1") BUILD=$(readlink -f -- "$2")
 if [[ ${3-} != inside ]]; then
   # /autograder is Gradescope's own place, so it is made where nobody else sees it.
   unshare -m true 2>/dev/null && exec unshare -m "$0" "$ROOT" "$BUILD" inside
-  [[ $(id -u) != 0 || -e /autograder ]] && echo 'unshare -m' && exit 77
+  [[ $(id -u) != 0 || -e /autograder ]] && echo 'unshare -m' && exit 75
 fi
 WORK=$(mktemp -d)
 export FOS_LANG=en
@@ -34,11 +34,12 @@ kit() {
 }
 # can_be_built TREE: CMake takes it, and no file is missing for what grading builds.
 can_be_built() {
-  cmake -S "$1" -B "$WORK/configured" -G Ninja -DFOS_TESTS=ON >"$WORK/said" 2>&1 &&
-    ninja -C "$WORK/configured" -n fos_grade fos_picture >>"$WORK/said" || { tail "$WORK/said" && false; }
-  local status=$?
   rm -rf "$WORK/configured"
-  return "$status"
+  if ! { cmake -S "$1" -B "$WORK/configured" -G Ninja -DFOS_TESTS=ON &&
+    ninja -C "$WORK/configured" -n fos_grade fos_picture; } >"$WORK/said" 2>&1; then
+    tail "$WORK/said"
+    return 1
+  fi
 }
 hand_in() { # FOLDER KIND
   rm -rf "$1" && mkdir -p "$1"

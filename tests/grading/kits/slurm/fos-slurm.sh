@@ -38,6 +38,7 @@ list=$("$lab" grade "$class" --list) || exit
 count=$(wc -l <<<"$list")
 parts=$((count / AT_LEAST))
 ((parts)) || parts=1
+((parts <= 1000)) || parts=1000 # more than that Slurm does not take unless told
 settings=(--seed "$FOS_SEED" --feedback "$FOS_FEEDBACK" "${@:3}")
 array=$(sbatch --parsable --job-name=fos --array="1-$parts" --output="$output/logs/part-%a.log" \
   "${BASH_SOURCE[0]}" --part "$lab" "$class" "$output" "$parts" "${settings[@]}") || exit 3
