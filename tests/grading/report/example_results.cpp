@@ -63,7 +63,7 @@ SubmissionResult named(const std::string& id, const std::string& name,
 
 Run example_run() {
   return {"Computer Graphics, light", "1.0", 20241125, "bubblewrap", Feedback::full,
-          "2024-11-25T10:00:00",      {},    false};
+          "2024-11-25T10:00:00",      1,     1,        {},           false};
 }
 
 SubmissionResult right_submission() {
