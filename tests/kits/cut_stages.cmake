@@ -50,7 +50,10 @@ while(i GREATER 0)
   endforeach()
 endwhile()
 
-file(WRITE "${OUTPUT}/stages.json" "${json}\n")
+if(later OR later_lecture)  # what CMake writes anew has no end of line
+  string(APPEND json "\n")
+endif()
+file(WRITE "${OUTPUT}/stages.json" "${json}")
 set(words "")
 foreach(name IN ITEMS lecture later_lecture stage file scene later later_file)
   string(APPEND words "WORDS[${name}]='${${name}}'\n")

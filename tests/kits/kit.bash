@@ -37,14 +37,21 @@ fill_kit() {
     -P "$ROOT/tests/kits/cut_stages.cmake" || return
   # shellcheck source=/dev/null
   source "$1/kit.sh" && rm "$1/kit.sh" && choose_files || return
-  for page in "${!CHOSEN[@]}"; do [[ $page != *.md ]] || choose_pictures "$page" || return; done
+  for page in "${!CHOSEN[@]}"; do
+    [[ $page == *.md ]] || continue
+    if [[ $audience == instructor ]] && shows_later "$page"; then
+      unset 'CHOSEN[$page]'
+    else
+      choose_pictures "$page"
+    fi
+  done
   list=("${!CHOSEN[@]}")
   (cd "$ROOT" && cp --parents -- "${list[@]}" "$1") &&
     mv "$1/stages.json" "$1/labs/stages.json" || return
   for file in ${WORDS[file]}; do
     mkdir -p "$1/labs/${file%/*}" && cp "$ROOT/tests/check/shipped/$file" "$1/labs/$file" || return
   done
-  if [[ $audience == student ]]; then cp "$ROOT"/tests/kits/student/README*.md "$1" || return; fi
+  if [[ $audience == student || ${WORDS[later]} ]]; then cp "$ROOT"/tests/kits/student/README*.md "$1" || return; fi
   for page in "$1"/*.md "$1"/docs/*/*.md; do
     if [[ -e $page ]]; then without_dead_links "$page" || return; fi
   done
@@ -90,6 +97,19 @@ choose_pattern() {
       CHOSEN[$path]=yes
     fi
   done < <(cd "$ROOT" && shopt -s globstar nullglob dotglob && IFS='' && printf '%s\n' ${1#!})
+}
+
+# shows_later PAGE: it quotes a stage that comes after the lecture, or what one gives. Students may read
+# ahead; but where the tests of the pages are, what a page quotes must be there.
+shows_later() {
+  local mark stage
+  while IFS= read -r mark; do
+    [[ $mark == '<!-- '* ]] || continue
+    for stage in ${WORDS[later]}; do
+      case $mark in *[\ /]"$stage"[\ .]*) return 0 ;; esac
+    done
+  done <"$ROOT/$1"
+  return 1
 }
 
 # choose_pictures PAGE: what of docs/images it shows.

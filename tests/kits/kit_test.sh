@@ -96,6 +96,19 @@ for lecture in 3 4; do
     "$ROOT/tests/check/shipped/lecture03/flat_color.cpp"
 done
 
+# An instructor's kit: CMake finds every file that its tests are made of, and the rules of the house hold.
+for lecture in 3 4; do
+  "$ROOT/lab" kit instructor --lecture "$lecture" --output "$WORK/kit.zip" >"$WORK/said" 2>&1 || exit 1
+  cmake -E tar xf "$WORK/kit.zip"
+  tree=$PWD/fos-instructor-lecture-$lecture
+  cmake -S "$tree" -B "$tree/build/release" -G Ninja -DFOS_TESTS=ON >"$WORK/said" 2>&1
+  check "an instructor's kit of lecture $lecture is configured" test $? == 0
+  for rule in includes pages shipped twins; do
+    "$ROOT/tests/house/$rule.sh" "$tree" >"$WORK/said" 2>&1
+    check "an instructor's kit of lecture $lecture: house/$rule" test $? == 0
+  done
+done
+
 # What only the largest kit is asked: one pixel in exact arithmetic, whose packages are of ./lab explain.
 student explain point 300 349
 check "explain: right, line by line" test "$STATUS" == 0

@@ -24,5 +24,5 @@ end_kit() {
   printf '%s\n' "${names[@]}" >"$KIT.names" &&
     TZ=UTC cmake -E tar cf "$PART" --format=zip --mtime='2026-01-01 00:00:00' --files-from="$KIT.names" >&2 &&
     cd "$OLDPWD" && mv -f -- "$PART" "$KIT_ZIP" &&
-    say lab_kit_done "${KIT_ZIP#"$PWD/"}" "${#names[@]}" "$(stat -c %s -- "$KIT_ZIP")"
+    say lab_kit_made "${KIT_ZIP#"$PWD/"}" "${#names[@]}" "$(stat -c %s -- "$KIT_ZIP")"
 }

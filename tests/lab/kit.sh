@@ -67,7 +67,7 @@ echo older >"$WORK/my kit.zip"
 touch "$STATE/zip-fails"
 lab kit slurm --output 'my kit.zip'
 check "it fails" status 3
-check "it fails: says so" err 'cannot be made'
+check "it fails: says so" err 'cannot be written'
 check "it fails: the older one stays" test "$(<"$WORK/my kit.zip")" == older
 check "it fails: nothing is left over" test ! -e "$(compgen -G "$WORK/.my kit*" || echo /none)"
 rm "$STATE/zip-fails"

@@ -20,6 +20,7 @@ real() { # a tree that has what a kit is made of
   printf '%s\n' '[check](checking.md#a) and [grading' 'a class](grading.md), [a book](https://a.b/c)' \
     '[![picture](../images/seen.png)](../figures/a.html)' '```' '[](auto)' '```' >"$TREE/docs/en/start.md"
   touch "$TREE/docs/en/"{checking,grading}.md
+  echo '<!-- from labs/lecture04/point.cpp: trace_ray -->' >"$TREE/docs/en/quotes.md"
   rm "$WORK/bin/cmake"
   ln -s "$(command -v cmake)" "$WORK/bin/cmake"
   ln -sf "$(command -v chmod)" "$WORK/bin/chmod"
@@ -70,11 +71,15 @@ touch "$TREE/labs/lecture04/point.cpp.1.old" "$TREE/fos-submission.zip"
 kit instructor --lecture 4
 check "instructor" status 0
 check "instructor: the solutions" in_kit solutions/lecture04/point.cpp
+check "instructor: the list is the same" cmp "$WORK"/kit/*/labs/stages.json "$TREE/labs/stages.json"
+check "instructor: the pages that quote" in_kit docs/en/quotes.md
 check "instructor: stubs" stubs_only fos-instructor-lecture-4
 check "instructor: what makes kits" in_kit tests/kits/files.txt
 check "instructor: no zip of someone's" not in_kit '*.zip'
 kit instructor --lecture 3
 check "instructor, lecture 3: no later solution" not in_kit solutions/lecture04
+check "instructor, lecture 3: no page that quotes a later stage" not in_kit docs/en/quotes.md
+check "instructor, lecture 3: the others" in_kit docs/en/start.md
 check "instructor, lecture 3: no later stage's test" not in_kit tests/check/stages/point_test.cpp
 
 lab kit student --lecture 4
@@ -87,7 +92,7 @@ check "in Greek" out 'αρχεία'
 refused() {
   lab kit student --lecture 4 --output 'a kit.zip'
   check "$1" status 3
-  check "$1: said" err "a kit.zip' cannot be made"
+  check "$1: said" err "a kit.zip' cannot be written"
   check "$1: the older one stays" test "$(<"$WORK/a kit.zip")" == older
   check "$1: nothing else is left" nothing_left
 }
@@ -114,7 +119,6 @@ real
 mkdir "$WORK/folder.zip"
 wrong 'name one kit' kit
 wrong "did you mean 'student'" kit studnt --lecture 4
-wrong "there is no kit '--lecture'" kit --lecture 4
 wrong "./lab kit student --lecture N, with N one of 3 4" kit student
 wrong "there is no lecture '5'" kit student --lecture 5
 wrong "there is no lecture 'τέσσερα'" kit instructor --lecture τέσσερα
