@@ -127,7 +127,7 @@ struct Run {
   std::string date;   ///< ISO 8601
   unsigned part = 1;  ///< of `parts` shares of the class, which were graded each by itself
   unsigned parts = 1;
-  std::vector<std::string> finished;  ///< the ids in this part, once all of them are graded
+  std::vector<std::string> finished = {};  ///< the ids in this part, once all of them are graded
   bool is_finished = false;
 };
 

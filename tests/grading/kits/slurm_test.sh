@@ -75,6 +75,11 @@ class_of "$ROOT" "$WORK/the class" 45
 mkdir -p "$WORK/kit/fos" && (cd "$WORK/kit" && cmake -E tar xf ../kit.zip fos-slurm.sh fos/kit-settings.bash) || exit 3
 ln -s "$ROOT/lab" "$WORK/kit/fos/lab"
 options=(--stages ambient --format csv)
+"$WORK/kit/fos-slurm.sh" &>/dev/null
+check "no class: status 2" test $? == 2
+"$WORK/kit/fos-slurm.sh" "$WORK/no class" "$WORK/out" >"$WORK/said" 2>&1
+check "a class that is not there: status 2" test $? == 2
+check "and it is named" grep -q 'no class: No such file' "$WORK/said"
 "$WORK/kit/fos-slurm.sh" "$WORK/the class" "$WORK/out" "${options[@]}" >"$WORK/said" 2>&1
 check "is submitted: $(tail -n 3 "$WORK/said")" grep -q '^45: ' "$WORK/said"
 check "in two parts" grep -qE '^45: [0-9]+ × 2;' "$WORK/said"

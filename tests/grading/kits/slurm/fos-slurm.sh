@@ -22,10 +22,10 @@ esac
 here=$(readlink -f -- "${BASH_SOURCE[0]%/*}")
 lab=$here/fos/lab
 if (($# < 2)); then
-  sed -n '2,5s/^# //p' "${BASH_SOURCE[0]}" >&2
+  echo 'fos-slurm.sh CLASS OUTPUT [OPTION…]' >&2
   exit 2
 fi
-class=$(readlink -e -- "$1") || { echo "fos-slurm: $1?" >&2 && exit 2; }
+class=$(readlink -f -- "$1") || exit 2
 mkdir -p -- "$2/logs" || exit 2
 output=$(readlink -e -- "$2") || exit 2
 # shellcheck source=/dev/null
