@@ -14,8 +14,8 @@ begin_kit() {
   if ! mkdir -p "$KIT" 2>/dev/null || [[ -d $KIT_ZIP ]]; then fail 3 lab_kit_fails "$KIT_ZIP"; fi
 }
 
-# end_kit: all that is below KIT becomes the zip, whole or not at all; the same bytes for the same tree:
-# sorted names, and one time for all.
+# end_kit: all that is below KIT becomes the zip, whole or not at all, in one order and with one time for
+# all files. (Of the moments that CMake keeps besides, a few bytes still differ from zip to zip.)
 end_kit() {
   local names
   if ! chmod -R u=rwX,go=rX "$KIT" || ! cd "$KIT"; then return 1; fi
