@@ -15,10 +15,10 @@ struct Merged {
   std::vector<std::string> refused;  ///< what platforms would refuse, in words
 };
 
-/// Writes into `options.output` what one run over the whole class would have written there:
+/// Writes into `asked.output` what one run over the whole class would have written there:
 /// results, pictures, pages, the files of the class. Throws FileError where the parts are not all
 /// there, finished, and of one run (then nothing is written), or where one of their results is
 /// damaged.
-Merged merge_parts(const GradeOptions& options);
+Merged merge_parts(const GradeOptions& asked);
 
 }  // namespace fos::grading
