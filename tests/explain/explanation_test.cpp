@@ -141,7 +141,7 @@ TEST_CASE("no answer is said as what it is") {
   CHECK_THAT(thrown.words, ContainsSubstring("no such thing"));
   CHECK_THAT(odd("crashes later").text, ContainsSubstring("after 1 rows"));
   CHECK_THAT(odd("exits later").text, ContainsSubstring("ends by itself after 1 rows"));
-  CHECK_THAT(odd("counts").text, ContainsSubstring("hangs on more than O, D and the scene"));
+  CHECK_THAT(odd("counts").text, ContainsSubstring("depends on more than O, D and the scene"));
   CHECK_THAT(odd("crashes in one light", "point").text,
              ContainsSubstring("With light 2 alone your program gives no answer"));
   for (const char* name :
