@@ -93,7 +93,6 @@ std::string next_step(const Findings& findings) {
 std::string overview(std::span<const StageResult> results, const Paint& paint) {
   std::string out;
   int tenths = 0;
-  int all = 0;
   int done = 0;
   const StageResult* next = nullptr;
   for (const StageResult& result : results) {
@@ -101,7 +100,6 @@ std::string overview(std::span<const StageResult> results, const Paint& paint) {
     const bool passes = result.findings && result.findings->passes();
     const int earned = result.findings ? result.findings->tenths() : 0;
     tenths += earned;
-    all += stage.points;
     done += passes ? 1 : 0;
     if (!passes && next == nullptr) next = &result;
     const std::string word = !result.findings                 ? say(text::check_does_not_build)
@@ -112,13 +110,16 @@ std::string overview(std::span<const StageResult> results, const Paint& paint) {
     if (!word.empty()) row = padded(row, 50) + word;
     out += "  " + mark(passes ? Outcome::passed : Outcome::failed, paint) + " " + row + "\n";
   }
+  int all = 0;  // of the stages whose file is missing too
+  for (const Stage& stage : stages) all += stage.points;
   constexpr int bar = 40;
   const int full = bar * tenths / std::max(1, 10 * all);
   out += "\n  [" + paint.green(std::string(static_cast<std::size_t>(full), '#')) +
          std::string(static_cast<std::size_t>(bar - full), '.') + "] " +
-         say(text::check_course, {std::to_string(done), std::to_string(results.size()),
+         say(text::check_course, {std::to_string(done), std::to_string(std::size(stages)),
                                   points(tenths), std::to_string(all)}) +
          "\n\n";
+  if (next == nullptr && results.size() < std::size(stages)) return out;
   if (next == nullptr) return out + wrapped(say(text::check_course_done));
   return out + wrapped(say(text::check_course_next, {next->stage->id, stage_file(*next->stage)}));
 }

@@ -44,8 +44,11 @@ said 3 "$images/no-such-program" 'cannot be started'
 
 out=$("$bin/fos_check" --images "$images" --overview "point=$bin/solution_point" \
   "directional=!log" "combined=$bin/variant_ending")
-[[ $? == 1 && $out == *'1 of 3 stages · 31 of 70 points'* && $out == *'does not compile'* ]] ||
+[[ $? == 1 && $out == *'1 of 5 stages · 31 of 100 points'* && $out == *'does not compile'* ]] ||
   wrong "overview: $out"
+out=$("$bin/fos_check" --images "$images" --overview "point=$bin/solution_point")
+[[ $? == 0 && $out == *'1 of 5 stages'* && $out != *complete* ]] ||
+  wrong "a course of which stage files are missing: $out"
 for arguments in 'point' 'nosuch=x' '--images' ''; do
   # shellcheck disable=SC2086 # none is an argument too
   "$bin/fos_check" $arguments &>/dev/null

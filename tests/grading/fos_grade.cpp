@@ -94,7 +94,17 @@ int status_of(std::size_t not_judged) {
   return 3;
 }
 
+/// The results in the class would be somebody's hand-in next time.
+void check_place(const GradeOptions& options) {
+  if (options.list || !std::filesystem::is_directory(options.path)) return;
+  const auto inside = std::filesystem::weakly_canonical(options.output)
+                          .lexically_relative(std::filesystem::canonical(options.path));
+  if (inside.empty() || *inside.begin() == "..") return;
+  throw UsageError(say(text::grade_output_inside, {shown_path(options.output.string())}));
+}
+
 int grade(const GradeOptions& options) {
+  check_place(options);
   const ClassFiles hand_ins = read_class(options.path, stages, options.one);
   std::cerr << hand_ins.words() << '\n';
   for (const std::string& note : hand_ins.notes()) std::cerr << note << '\n';

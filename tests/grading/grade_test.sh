@@ -118,5 +118,7 @@ wrong "'many'" "$CLASS" --output "$OUT" --jobs many
 wrong "'pdf'" "$CLASS" --output "$OUT" --format pdf
 wrong 'needs a value' "$CLASS" --output
 wrong 'nosuch' "$WORK/nosuch" --output "$OUT"
+wrong 'choose another' "$CLASS" --output "$CLASS/new/results"
+wrong 'choose another' "$CLASS" --output "$CLASS"
 ((FAILURES == 0)) && echo passed
 exit "$((FAILURES > 0))"

@@ -122,6 +122,16 @@ choose_pictures() {
   done
 }
 
+# of_own_stages TEXT: sets OWN, the text with a stage of the kit where it shows a command with `point`.
+of_own_stages() {
+  local stage=${WORDS[stage]##* } command
+  OWN=$1
+  [[ " ${WORDS[stage]} " == *' point '* ]] && return
+  for command in check watch hint explain reset; do OWN=${OWN//"./lab $command point"/"./lab $command $stage"}; done
+  # shellcheck disable=SC2016 # the backticks are Markdown's
+  OWN=${OWN//'`point`'/"\`$stage\`"} OWN=${OWN//point-check/"$stage-check"}
+}
+
 # without_dead_links PAGE: a link to what is not in the kit becomes its words. (A link may go over a line's
 # end, so a paragraph is looked at as a whole.)
 without_dead_links() {
@@ -136,7 +146,8 @@ without_dead_links() {
     fi
   done <"$1"
   living_links "${1%/*}" "$paragraph"
-  printf '%s' "$out$LIVING" >"$1"
+  of_own_stages "$out$LIVING"
+  printf '%s' "$OWN" >"$1"
 }
 
 # living_links FOLDER PARAGRAPH: sets LIVING, the paragraph with the links that hold in this folder.

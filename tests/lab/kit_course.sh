@@ -19,7 +19,9 @@ real() { # a tree that has what a kit is made of
   # shellcheck disable=SC2016 # the backticks are Markdown's
   printf '%s\n' '[check](checking.md#a) and [grading' 'a class](grading.md), [a book](https://a.b/c)' \
     '[![picture](../images/seen.png)](../figures/a.html)' '```' '[](auto)' '```' >"$TREE/docs/en/start.md"
-  touch "$TREE/docs/en/"{checking,grading}.md
+  touch "$TREE/docs/en/grading.md"
+  # shellcheck disable=SC2016 # the backticks are Markdown's
+  printf '%s\n' '    ./lab check point' 'build/images/point-check.png' 'a point, `point`' >"$TREE/docs/en/checking.md"
   echo '<!-- from labs/lecture04/point.cpp: trace_ray -->' >"$TREE/docs/en/quotes.md"
   rm "$WORK/bin/cmake"
   ln -s "$(command -v cmake)" "$WORK/bin/cmake"
@@ -61,6 +63,9 @@ check "lecture 3: its stage" in_kit labs/lecture03/flat_color.cpp
 check "lecture 3: no later stage" not in_kit 'labs/lecture04'
 check "lecture 3: not its answer" not in_kit common/include/fos/closest_hit.hpp
 check "lecture 3: its handout" in_kit docs/en/stage-flat_color.md
+check "lecture 3: its pages name its stage" test "$(cat "$WORK"/kit/*/docs/en/checking.md)" == \
+  $'    ./lab check flat_color\nbuild/images/flat_color-check.png\na point, `flat_color`'
+check "lecture 3: not the page on five stages" not in_kit docs/en/start.md
 check "lecture 3: no later handout" not in_kit docs/en/stage-point.md
 check "lecture 3: what its stage must do" in_kit tests/check/stages/flat_color_test.cpp
 check "lecture 3: not what later ones must" not in_kit tests/check/stages/point_test.cpp

@@ -52,6 +52,12 @@ StageTest flat_color_test() {
            {ahead(blue, "sphere { center = (0, 0, 0)  radius = 5  color = (10, 20, 255) }"),
             ahead(blue, "sphere { center = (0, 0, -2)  radius = 5  color = (10, 20, 255) }")}},
 
+          // The smaller root of the second is behind the camera, so it is not nearer for that.
+          {{"from inside a sphere a nearer one hides its far side, in either order in the file",
+            "μέσα από μια σφαίρα, μια κοντινότερη κρύβει τη μακρινή της πλευρά, με όποια σειρά"},
+           {ahead(orange, ORANGE "sphere { center = (0, 0, 0)  radius = 20  color = (1, 2, 3) }"),
+            ahead(orange, "sphere { center = (0, 0, 0)  radius = 20  color = (1, 2, 3) }" ORANGE)}},
+
           {{"colors are real numbers, the background's too",
             "τα χρώματα είναι πραγματικοί αριθμοί, και του φόντου"},
            {{"canvas_size = 2 x 2  background_color = (0.5, 127.25, 254.75)",

@@ -66,6 +66,7 @@ std::string digits_of(std::string_view text) {
 class Matcher {
  public:
   explicit Matcher(const Roster& roster) {
+    known_.reserve(roster.students.size());
     for (std::size_t i = 0; i < roster.students.size(); ++i) {
       const Student& student = roster.students[i];
       for (const std::string* key : {&student.username, &student.number, &student.email}) {
@@ -74,6 +75,7 @@ class Matcher {
       exact_.add(lower(student.email.substr(0, student.email.find('@'))), i);
       participants_.add(digits_of(student.participant), i);
       names_.add(sorted_words(student.name), i);
+      known_.push_back(sorted_words(student.name) + latin(student.username) + " ");
     }
   }
 
@@ -83,10 +85,23 @@ class Matcher {
       if (const auto found = exact_.find(lower(*key))) return found;
     }
     if (const auto found = names_.find(sorted_words(whose.name))) return found;
-    return by_a_word(whose.name);
+    const auto found = by_a_word(whose.name);
+    return found && !is_another(whose.name, *found) ? found : std::nullopt;
   }
 
  private:
+  /// Whether a hand-in of this name, which has a student's username in it, tells of somebody else:
+  /// a username may be a first name. What has a digit, or three letters, is nobody's name.
+  bool is_another(const std::string& name, std::size_t student) const {
+    const std::string own = " " + known_[student];
+    std::istringstream words{latin(name)};
+    for (std::string word; words >> word;) {
+      const bool is_name = word.size() > 3 && word.find_first_of("0123456789") == std::string::npos;
+      if (is_name && own.find(" " + word + " ") == std::string::npos) return true;
+    }
+    return false;
+  }
+
   /// `up1234567_lab4`: one word of the name is a username or a number, and no other student's.
   std::optional<std::size_t> by_a_word(const std::string& name) const {
     std::istringstream words{latin(name)};
@@ -103,6 +118,7 @@ class Matcher {
   Index exact_;
   Index participants_;
   Index names_;
+  std::vector<std::string> known_;  ///< of each student: the words of the name, and the username
 };
 
 }  // namespace

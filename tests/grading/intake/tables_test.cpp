@@ -76,6 +76,20 @@ TEST_CASE("what is wrong with a table is said with its line") {
   CHECK_THROWS_AS(make_roster(parse_table("", "r")), TableError);
 }
 
+TEST_CASE("a username that is somebody's first name finds nobody else") {
+  const Roster roster =
+      make_roster(parse_table("name,username\nΓιώργος Άλλος,giorgos\n,maria\n", "r.csv"));
+  std::vector<Whose> hand_ins = {whose_of("Γιώργος Παπαδόπουλος του Νίκου"),
+                                 whose_of("giorgos_lab4"), whose_of("Άλλος Γιώργος"),
+                                 whose_of("maria papadaki"), whose_of("lab4 maria v2")};
+  match(roster, hand_ins);
+  CHECK(hand_ins[0].username.empty());
+  CHECK(hand_ins[1].username == "giorgos");
+  CHECK(hand_ins[2].username == "giorgos");
+  CHECK(hand_ins[3].username.empty());
+  CHECK(hand_ins[4].username == "maria");
+}
+
 TEST_CASE("a roster finds whose each hand-in is") {
   const Roster roster =
       make_roster(parse_table("Επώνυμο;Όνομα;ΑΜ;Όνομα χρήστη;Email;Identifier\n"
