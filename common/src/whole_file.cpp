@@ -33,8 +33,10 @@ void set_pending(const std::string& path) {
     throw FileError(2, say(text::tool_cannot_write, {path, in_words(ENAMETOOLONG)}));
   }
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    // A signal that is ignored (nohup) stays ignored.
-    if (std::signal(signal, remove_pending) == SIG_IGN) std::signal(signal, SIG_IGN);
+    // A signal that is ignored (nohup) stays ignored, and a program that ends in order keeps its
+    // own way.
+    const auto before = std::signal(signal, remove_pending);
+    if (before != SIG_DFL && before != remove_pending) std::signal(signal, before);
   }
   // The first byte last, so that the handler never sees half a name.
   std::memcpy(pending.data() + 1, path.c_str() + 1, path.size());

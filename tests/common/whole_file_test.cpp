@@ -52,6 +52,7 @@ TEST_CASE("Ctrl-C leaves nothing behind") {
   const Folder folder;
   const pid_t child = fork();
   if (child == 0) {
+    std::signal(SIGINT, SIG_DFL);  // Catch2 has a way of its own
     WholeFile file(folder.path / "a.png");
     std::ofstream(file.temporary()) << "half";
     raise(SIGINT);
@@ -62,6 +63,25 @@ TEST_CASE("Ctrl-C leaves nothing behind") {
   CHECK(WIFSIGNALED(status));
   CHECK(WTERMSIG(status) == SIGINT);
   CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("a program that ends in order at Ctrl-C still does, with the file whole") {
+  const Folder folder;
+  const pid_t child = fork();
+  if (child == 0) {
+    static volatile std::sig_atomic_t interrupted = 0;
+    std::signal(SIGINT, [](int) { interrupted = 1; });
+    WholeFile file(folder.path / "a.png");
+    std::ofstream(file.temporary()) << "whole";
+    raise(SIGINT);
+    file.commit();
+    _exit(interrupted == 1 ? 0 : 1);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  CHECK(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 0);
+  CHECK(contents(folder.path / "a.png") == "whole");
 }
 
 TEST_CASE("a path that cannot be written is wrong input, a full disk is not") {

@@ -7,8 +7,7 @@ grade() {
   knows_grading || configure -DFOS_TESTS=ON
   build "$BUILD" fos_grade fos_picture || fail 3 lab_no_grade_program
   if [[ $1 == --self-test ]]; then exec "$ROOT/tests/grading/self_test.sh" "$ROOT" "$BUILD" "${@:2}"; fi
-  trap 'complain lab_grade_goes_on; exit 130' INT
-  "$BUILD/bin/fos_grade" --root "$ROOT" --build "$BUILD" "$@"
+  exec "$BUILD/bin/fos_grade" --root "$ROOT" --build "$BUILD" "$@"
 }
 
 # knows_grading: the build folder was made where all packages were there.

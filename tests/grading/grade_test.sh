@@ -85,7 +85,10 @@ check "killed: the rest is graded: $(cat "$WORK/said")" said "graded: $((8 - kep
 check "killed: in the end all is there" is carried combined 20
 "$BUILD/bin/fos_grade" --root "$ROOT" --build "$BUILD" "$CLASS" --output "$OUT" --seed 2 --jobs 1 &>"$WORK/said" &
 run=$!
-sleep 2
+for ((i = 0; i < 600; ++i)); do # until it grades: by then it has written files
+  grep -q '"seed": *2\b' "$OUT/run.json" && break
+  sleep 0.1
+done
 kill -INT "$run"
 wait "$run"
 check "Ctrl-C ends it, with its own status" test $? == 130
